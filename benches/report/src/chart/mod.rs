@@ -1,0 +1,10 @@
+//! Charts, as deterministic SVG text drawn from the committed CSV files alone.
+pub mod axis;
+pub mod error_time;
+pub mod failures;
+pub mod key;
+pub mod labels;
+pub mod marker;
+pub mod palette;
+pub mod svg;
+pub mod ulp;

@@ -1,0 +1,152 @@
+//! `report eval`: rows of numbers in, a row of results out for each.
+//!
+//! Results go to standard output as they come, 17 significant digits each. At the first bad row the program stops:
+//! results of the rows before it stand on standard output, the line, column and reason on standard error, and the
+//! exit code is 2.
+
+use crate::call::one_row;
+use crate::ledger::Entry;
+use crate::names::{self, methods_of, unknown};
+use crate::promise::bound_on_error;
+use crate::rows::{Next, Rows};
+use reference::registry::{Function, Method, Origin, Precision};
+use std::io::{self, BufRead, Write};
+
+/// What is asked for.
+pub struct Request<'a> {
+    /// The function's name.
+    pub function: &'a str,
+    /// Precision of the computation.
+    pub precision: Precision,
+    /// The method, if one is named.
+    pub method: Option<&'a str>,
+    /// The largest error allowed, as a multiple of max(1, |result|), if one is given.
+    pub tolerance: Option<f64>,
+}
+
+/// The methods that may be asked for: this crate's and the published ones, called one row at a time.
+fn open(function: &Function, precision: Precision) -> Vec<&'static Method> {
+    methods_of(function.name)
+        .filter(|m| m.origin != Origin::Peer && m.precision == precision && names::call(&m.call) == "scalar")
+        .collect()
+}
+
+/// The method that a request means; `ledger` orders methods by cost where a tolerance is given.
+pub fn choose(request: &Request, ledger: &[Entry]) -> Result<(&'static Function, &'static Method), String> {
+    let function = names::function(request.function)?;
+    let choices = open(function, request.precision);
+    let precision = names::precision(request.precision);
+    if let Some(name) = request.method {
+        let known: Vec<&str> = choices.iter().map(|m| m.method).collect();
+        let found = choices.iter().find(|m| m.method == name);
+        return found.map(|m| (function, *m)).ok_or_else(|| {
+            let kind = format!("{precision} method of {}", function.name);
+            unknown(&kind, name, &known)
+        });
+    }
+    let own: Vec<&'static Method> = choices.into_iter().filter(|m| m.origin == Origin::Ours).collect();
+    let Some(tolerance) = request.tolerance else {
+        return own
+            .first()
+            .map(|m| (function, *m))
+            .ok_or_else(|| format!("{} has no {precision} method", function.name));
+    };
+    if !(tolerance > 0.0 && tolerance.is_finite()) {
+        return Err(format!("a tolerance is a positive number, not {tolerance}"));
+    }
+    let bound = |m: &Method| m.budget.map_or(f64::INFINITY, |b| bound_on_error(b, m.precision));
+    let cost = |m: &Method| {
+        ledger
+            .iter()
+            .find(|e| e.key() == (m.function, m.method, m.precision, "scalar"))
+            .map_or(f64::NAN, |e| e.ns)
+    };
+    // Where any candidate has no cost yet, the looser promise stands for the lower cost.
+    let kept: Vec<&'static Method> = own.iter().filter(|m| bound(m) <= tolerance).copied().collect();
+    let timed = kept.iter().all(|m| cost(m).is_finite());
+    let cheapest = kept.into_iter().min_by(|a, b| {
+        if timed {
+            cost(a).total_cmp(&cost(b))
+        } else {
+            bound(b).total_cmp(&bound(a))
+        }
+    });
+    cheapest.map(|m| (function, m)).ok_or_else(|| {
+        let best = own.iter().map(|m| bound(m)).fold(f64::INFINITY, f64::min);
+        format!("no {precision} method of {} promises an error of at most {tolerance:e} max(1, |result|); the best promises {best:.3e}", function.name)
+    })
+}
+
+/// How an evaluation ended.
+#[derive(Debug, PartialEq, Eq)]
+pub enum End {
+    /// Every row has its result.
+    Complete,
+    /// A bad row: line, column and reason.
+    Refused(String),
+}
+
+/// Evaluates all rows of `input`. Errors of the output (a closed pipe among them) are handed back.
+pub fn evaluate(function: &Function, method: &Method, input: impl BufRead, output: impl Write) -> io::Result<End> {
+    let names: Vec<&str> = function.inputs.iter().map(|(name, _)| *name).collect();
+    let mut rows = Rows::new(input, &names, method.precision == Precision::F32);
+    let mut output = io::BufWriter::with_capacity(1 << 16, output);
+    let mut row = Vec::with_capacity(names.len());
+    let end = loop {
+        match rows.next(&mut row)? {
+            Next::Row => writeln!(output, "{:.16e}", one_row(&method.call, &row))?,
+            Next::End => break End::Complete,
+            Next::Bad(refusal) => break End::Refused(refusal.to_string()),
+        }
+    };
+    output.flush()?;
+    Ok(end)
+}
+
+/// Text of `report list`.
+pub fn list() -> String {
+    let mut text = String::new();
+    for f in reference::registry::functions() {
+        let columns = |c: &[(&str, &str)]| {
+            let each: Vec<String> = c
+                .iter()
+                .map(|(name, unit)| {
+                    if unit.is_empty() {
+                        (*name).to_string()
+                    } else {
+                        format!("{name} [{unit}]")
+                    }
+                })
+                .collect();
+            each.join(", ")
+        };
+        text.push_str(&format!("{}: {}\n", f.name, f.summary));
+        text.push_str(&format!(
+            "  inputs:  {}\n  results: {}\n  methods:\n",
+            columns(f.inputs),
+            columns(f.outputs)
+        ));
+        let all: Vec<&Method> = methods_of(f.name).filter(|m| m.origin != Origin::Peer).collect();
+        let width = all.iter().map(|m| m.method.len()).max().unwrap_or(0);
+        for m in all {
+            let budget = crate::budget_text::budget_text(m.budget);
+            let promise = if budget.is_empty() {
+                "no promise".to_string()
+            } else {
+                format!("error <= {budget}")
+            };
+            let form = if names::call(&m.call) == "slice" {
+                "slice "
+            } else {
+                "scalar"
+            };
+            text.push_str(&format!(
+                "    {:width$}  {}  {form}  {promise}; {}\n",
+                m.method,
+                names::precision(m.precision),
+                m.label
+            ));
+        }
+    }
+    text
+}

@@ -1,0 +1,26 @@
+//! The parts of the program `report`.
+//!
+//! Measuring (`measured`, `timing`, `series`) writes numbers: `data/accuracy.csv` and `data/charts/*.csv`. Drawing
+//! (`render`, `chart`, `tables`, `pages`) reads only those numbers, so it can be repeated and checked anywhere.
+
+pub mod axis_points;
+pub mod budget_text;
+pub mod call;
+pub mod chart;
+pub mod eval;
+pub mod front;
+pub mod goals;
+pub mod hex_float;
+pub mod ledger;
+pub mod measured;
+pub mod names;
+pub mod number_table;
+pub mod pages;
+pub mod promise;
+pub mod render;
+pub mod rows;
+pub mod run;
+pub mod series;
+pub mod summary;
+pub mod tables;
+pub mod timing;

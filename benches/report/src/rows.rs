@@ -1,0 +1,229 @@
+//! Rows of numbers in text: comma or blank separated columns, `#` comments, blank lines skipped.
+
+use crate::hex_float;
+use std::io::{self, BufRead};
+
+/// Longest accepted line in bytes; a longer one is refused without being held in memory.
+pub const LONGEST_LINE: usize = 1 << 20;
+
+/// Why a line is no row.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Refusal {
+    /// Line number, from 1.
+    pub line: u64,
+    /// Column number, from 1, where one column is at fault.
+    pub column: Option<usize>,
+    /// The reason in words.
+    pub reason: String,
+}
+
+impl std::fmt::Display for Refusal {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "line {}", self.line)?;
+        if let Some(column) = self.column {
+            write!(f, ", column {column}")?;
+        }
+        write!(f, ": {}", self.reason)
+    }
+}
+
+/// What the reader found next.
+#[derive(Debug, PartialEq, Eq)]
+pub enum Next {
+    /// A row stands in the buffer.
+    Row,
+    /// The input has ended.
+    End,
+    /// The line is no row.
+    Bad(Refusal),
+}
+
+/// Reads rows of a fixed number of columns.
+pub struct Rows<R> {
+    input: R,
+    columns: usize,
+    names: String,
+    line: u64,
+    bytes: Vec<u8>,
+    single: bool,
+}
+
+impl<R: BufRead> Rows<R> {
+    /// A reader of rows with the named columns; `single` also refuses what binary32 cannot hold.
+    pub fn new(input: R, names: &[&str], single: bool) -> Self {
+        Self {
+            input,
+            columns: names.len(),
+            names: names.join(" "),
+            line: 0,
+            bytes: Vec::new(),
+            single,
+        }
+    }
+
+    /// Number of the line read last.
+    pub fn line(&self) -> u64 {
+        self.line
+    }
+
+    /// Reads up to the next row and writes its numbers into `row`.
+    pub fn next(&mut self, row: &mut Vec<f64>) -> io::Result<Next> {
+        loop {
+            self.bytes.clear();
+            let limit = LONGEST_LINE as u64 + 1;
+            let count = io::Read::take(&mut self.input, limit).read_until(b'\n', &mut self.bytes)?;
+            if count == 0 {
+                return Ok(Next::End);
+            }
+            self.line += 1;
+            if count > LONGEST_LINE && self.bytes.last() != Some(&b'\n') {
+                return Ok(self.bad(None, format!("the line is longer than {LONGEST_LINE} bytes")));
+            }
+            let mut bytes = self.bytes.as_slice();
+            if self.line == 1 {
+                bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+            }
+            let end = bytes.iter().position(|&b| b == b'#').unwrap_or(bytes.len());
+            let Ok(text) = std::str::from_utf8(&bytes[..end]) else {
+                return Ok(self.bad(None, "the line is not UTF-8 text".to_string()));
+            };
+            let text = text.trim_matches(|c: char| c.is_ascii_whitespace());
+            if text.is_empty() {
+                continue;
+            }
+            row.clear();
+            return Ok(match self.numbers(text, row) {
+                Ok(()) => Next::Row,
+                Err((column, reason)) => self.bad(column, reason),
+            });
+        }
+    }
+
+    fn bad(&self, column: Option<usize>, reason: String) -> Next {
+        Next::Bad(Refusal {
+            line: self.line,
+            column,
+            reason,
+        })
+    }
+
+    fn numbers(&self, text: &str, row: &mut Vec<f64>) -> Result<(), (Option<usize>, String)> {
+        for field in text.split(',') {
+            let field = field.trim_matches(|c: char| c.is_ascii_whitespace());
+            if field.is_empty() {
+                return Err((Some(row.len() + 1), "the column is empty".to_string()));
+            }
+            for word in field.split_ascii_whitespace() {
+                if row.len() < self.columns {
+                    let value = number(word, self.single).map_err(|reason| (Some(row.len() + 1), reason))?;
+                    row.push(value);
+                } else {
+                    return Err((
+                        None,
+                        self.count(text.split([',', ' ', '\t']).filter(|w| !w.is_empty()).count()),
+                    ));
+                }
+            }
+        }
+        if row.len() == self.columns {
+            Ok(())
+        } else {
+            Err((None, self.count(row.len())))
+        }
+    }
+
+    fn count(&self, found: usize) -> String {
+        let plural = if self.columns == 1 { "" } else { "s" };
+        format!(
+            "{} column{plural} expected ({}), {found} found",
+            self.columns, self.names
+        )
+    }
+}
+
+/// The number a word writes: decimal, hexadecimal (`0x1.8p+1`), `inf` or `nan`. Finite text too large for the
+/// precision is refused rather than read as an infinity.
+fn number(word: &str, single: bool) -> Result<f64, String> {
+    let shown = || {
+        let mut short: String = word.chars().take(40).flat_map(char::escape_default).collect();
+        if word.chars().nth(40).is_some() {
+            short.push_str("...");
+        }
+        short
+    };
+    let value = match word.parse::<f64>() {
+        Ok(v) => v,
+        Err(_) => hex_float::parse(word).ok_or_else(|| format!("\"{}\" is not a number", shown()))?,
+    };
+    let finite_text = word.bytes().any(|b| b.is_ascii_digit());
+    if finite_text && value.is_infinite() {
+        return Err(format!("\"{}\" is beyond the range of f64", shown()));
+    }
+    if single && value.is_finite() && (value as f32).is_infinite() {
+        return Err(format!("\"{}\" is beyond the range of f32", shown()));
+    }
+    Ok(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str, names: &[&str]) -> (Vec<Vec<f64>>, Option<Refusal>) {
+        let mut rows = Rows::new(text.as_bytes(), names, false);
+        let (mut all, mut row) = (Vec::new(), Vec::new());
+        loop {
+            match rows.next(&mut row).expect("reading from memory") {
+                Next::Row => all.push(row.clone()),
+                Next::End => return (all, None),
+                Next::Bad(refusal) => return (all, Some(refusal)),
+            }
+        }
+    }
+
+    #[test]
+    fn separators_comments_blank_lines_and_line_ends_are_read() {
+        let text = "\u{feff}# head\r\n1,2\r\n\r\n  3\t4 # tail\n5 , 6\n-inf 0x1.8p+1";
+        let expected = vec![
+            vec![1.0, 2.0],
+            vec![3.0, 4.0],
+            vec![5.0, 6.0],
+            vec![f64::NEG_INFINITY, 3.0],
+        ];
+        assert_eq!(read(text, &["a", "b"]), (expected, None));
+    }
+
+    #[test]
+    fn a_bad_line_is_named_with_its_column_and_reason() {
+        for (text, line, column, reason) in [
+            ("1 2\n1\n", 2, None, "2 columns expected (a b), 1 found"),
+            ("1 2 3", 1, None, "2 columns expected (a b), 3 found"),
+            ("1,,2", 1, Some(2), "the column is empty"),
+            ("1,2,", 1, Some(3), "the column is empty"),
+            ("\n\n1 x7", 3, Some(2), "\"x7\" is not a number"),
+            ("1 1e999", 1, Some(2), "\"1e999\" is beyond the range of f64"),
+            ("1;2 3", 1, Some(1), "\"1;2\" is not a number"),
+        ] {
+            let refusal = read(text, &["a", "b"]).1.expect(text);
+            assert_eq!(
+                (refusal.line, refusal.column, refusal.reason.as_str()),
+                (line, column, reason),
+                "{text}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_huge_line_is_refused_by_its_length() {
+        let text = format!("1 2\n{}\n", "9".repeat(3 * LONGEST_LINE));
+        let refusal = read(&text, &["a", "b"]).1.expect("too long");
+        assert_eq!(refusal.line, 2);
+        assert!(refusal.reason.contains("longer than"), "{}", refusal.reason);
+    }
+
+    #[test]
+    fn single_precision_refuses_what_it_cannot_hold() {
+        assert!(number("1e39", true).is_err() && number("1e39", false).is_ok());
+        assert_eq!(number("inf", true), Ok(f64::INFINITY));
+    }
+}

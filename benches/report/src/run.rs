@@ -1,0 +1,273 @@
+//! The four ways to run `report`: full, quick, check, render.
+
+use crate::ledger::{self, COLUMNS, Entry};
+use crate::measured::{self, FULL, QUICK};
+use crate::render::{self, File, Numbers};
+use crate::{names, number_table, series, summary};
+use reference::registry::Origin;
+use std::path::{Path, PathBuf};
+
+/// Path of the ledger below the root.
+pub const LEDGER: &str = "data/accuracy.csv";
+/// Path of the ulp plot's numbers.
+pub const ULP: &str = "data/charts/sine_integral_ulp.csv";
+/// Path of the failure map's numbers.
+pub const MAP: &str = "data/charts/sinc_squared_integral_failures.csv";
+
+/// What to do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// Measure all, write into the tree.
+    Full,
+    /// Measure little, write elsewhere.
+    Quick,
+    /// Measure errors again and compare; write nothing.
+    Check,
+    /// Draw again from the committed numbers.
+    Render,
+}
+
+/// What a run has to say.
+pub struct Report {
+    /// Summary in words.
+    pub text: String,
+    /// False where a check found stale files, or a budget of the ledger is broken in a check.
+    pub passed: bool,
+}
+
+/// The root of the repository.
+pub fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .ancestors()
+        .nth(2)
+        .unwrap_or(Path::new("."))
+        .to_path_buf()
+}
+
+/// Runs; `out` is where files go instead of the tree.
+pub fn run(mode: Mode, out: Option<PathBuf>) -> Result<Report, String> {
+    match mode {
+        Mode::Full => measure(measured::FULL, out.unwrap_or_else(root)),
+        Mode::Quick => measure(
+            QUICK,
+            out.unwrap_or_else(|| std::env::temp_dir().join("iridescence-report")),
+        ),
+        Mode::Check => check(),
+        Mode::Render => {
+            let numbers = committed()?;
+            let mut files = render::charts(&numbers)?;
+            files.extend(render::renewed_pages(&root(), &numbers.entries)?);
+            let target = out.unwrap_or_else(root);
+            write(&target, &files)?;
+            Ok(Report {
+                text: format!("drawn from {LEDGER}:\n{}", listed(&files)),
+                passed: true,
+            })
+        }
+    }
+}
+
+fn measure(effort: measured::Effort, target: PathBuf) -> Result<Report, String> {
+    let mut entries = measured::accuracies(effort);
+    measured::times(&mut entries, effort);
+    let numbers = Numbers {
+        ulp: measured::ulp(measured::best_peer(&entries)?, effort)?,
+        map: measured::map()?,
+        entries,
+    };
+    let mut files = vec![
+        (PathBuf::from(LEDGER), ledger::write(&numbers.entries)),
+        (PathBuf::from(ULP), numbers.ulp.clone()),
+        (PathBuf::from(MAP), numbers.map.clone()),
+    ];
+    // The ledger keeps five digits; what is drawn must follow from what is written.
+    let numbers = Numbers {
+        entries: ledger::read(&files[0].1)?,
+        ..numbers
+    };
+    files.extend(render::charts(&numbers)?);
+    files.extend(render::renewed_pages(&root(), &numbers.entries)?);
+    write(&target, &files)?;
+    let text = format!(
+        "{}written below {}:\n{}",
+        summary::text(&numbers.entries),
+        target.display(),
+        listed(&files)
+    );
+    Ok(Report { text, passed: true })
+}
+
+fn listed(files: &[File]) -> String {
+    files
+        .iter()
+        .map(|(path, _)| format!("  {}\n", path.display()))
+        .collect()
+}
+
+fn write(target: &Path, files: &[File]) -> Result<(), String> {
+    for (path, text) in files {
+        let full = target.join(path);
+        if std::fs::read_to_string(&full).is_ok_and(|old| old == *text) {
+            continue;
+        }
+        if let Some(folder) = full.parent() {
+            std::fs::create_dir_all(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+        }
+        std::fs::write(&full, text).map_err(|e| format!("{}: {e}", full.display()))?;
+    }
+    Ok(())
+}
+
+fn read(path: &str) -> Result<String, String> {
+    std::fs::read_to_string(root().join(path)).map_err(|e| format!("{path}: {e}"))
+}
+
+/// The committed numbers.
+pub fn committed() -> Result<Numbers, String> {
+    Ok(Numbers {
+        entries: ledger::read(&read(LEDGER)?)?,
+        ulp: read(ULP)?,
+        map: read(MAP)?,
+    })
+}
+
+/// Where charts and pages drawn from the committed numbers differ from the committed files.
+pub fn stale_drawings(numbers: &Numbers) -> Result<Vec<String>, String> {
+    let mut files = render::charts(numbers)?;
+    files.extend(render::renewed_pages(&root(), &numbers.entries)?);
+    Ok(files.iter().filter_map(|(path, text)| stale(path, text)).collect())
+}
+
+fn stale(path: &Path, text: &str) -> Option<String> {
+    let committed = std::fs::read_to_string(root().join(path)).unwrap_or_default();
+    if committed == text {
+        return None;
+    }
+    let line = committed.lines().zip(text.lines()).position(|(a, b)| a != b);
+    let place = line.map_or("length".to_string(), |l| format!("line {}", l + 1));
+    Some(format!("{} is stale ({place})", path.display()))
+}
+
+/// Columns that come from a clock or name the machine.
+const CLOCK: [&str; 4] = ["device", "ns", "cost", "baseline"];
+/// Error columns, which may differ by a tenth for methods on the platform's maths.
+const ERRORS: [&str; 7] = [
+    "max_abs",
+    "max_rel",
+    "p999_rel",
+    "max_ulp",
+    "max_eps",
+    "wrong_sign",
+    "non_finite",
+];
+
+/// Where a committed row and a fresh one disagree. Our own rows are the same to the last character on every machine;
+/// peers and printed formulas use the platform's maths, so their errors may differ by a tenth and their worst input freely.
+pub fn row_difference(committed: &Entry, fresh: &Entry) -> Option<String> {
+    let (a, b) = (committed.record(), fresh.record());
+    let own = fresh.origin == Origin::Ours;
+    for (i, name) in COLUMNS.iter().enumerate() {
+        let free = CLOCK.contains(name) || (!own && *name == "worst_input");
+        let close = !own && ERRORS.contains(name) && number_table::near(&a[i], &b[i]);
+        if !free && !close && a[i] != b[i] {
+            return Some(format!(
+                "{LEDGER}: {} / {} ({} {}): {name} is {} and measures {}",
+                fresh.function,
+                fresh.method,
+                names::precision(fresh.precision),
+                fresh.call,
+                a[i],
+                b[i]
+            ));
+        }
+    }
+    None
+}
+
+/// Whether a row's method is registered only where a feature asks for it, and so not in every build.
+fn behind_feature(entry: &Entry) -> bool {
+    entry.origin == Origin::Peer && entry.method.starts_with("gsl")
+}
+
+/// Measures the ulp plot again with the committed peer. A peer that this build lacks is replaced by the best it has, and
+/// its column is not compared.
+fn ulp_difference(committed: &str, fresh: &[Entry]) -> Result<Option<String>, String> {
+    let (_, name) = series::read_ulp(committed)?;
+    let best = measured::best_peer(fresh)?;
+    let registered = fresh.iter().any(|e| e.function == "sine_integral" && e.method == name);
+    if registered && best.method != name && !best.method.starts_with("gsl") {
+        return Ok(Some(format!("the best peer is {}, the file has {name}", best.method)));
+    }
+    let measured = measured::ulp(best, FULL)?;
+    let same_peer = best.method == name;
+    let measured = measured.replacen(best.method, &name, 1);
+    let (loose, free): (&[&str], &[&str]) = if same_peer { (&[&name], &[]) } else { (&[], &[&name]) };
+    Ok(number_table::same_table(committed, &measured, loose, free).err())
+}
+
+fn check() -> Result<Report, String> {
+    let numbers = committed()?;
+    let fresh = measured::accuracies(FULL);
+    let mut found = Vec::new();
+    for e in &fresh {
+        match numbers.entries.iter().find(|c| c.key() == e.key()) {
+            Some(c) => found.extend(row_difference(c, e)),
+            None if behind_feature(e) => {}
+            None => found.push(format!("{LEDGER}: {} / {} is missing", e.function, e.method)),
+        }
+    }
+    for c in &numbers.entries {
+        if !behind_feature(c) && !fresh.iter().any(|e| e.key() == c.key()) {
+            found.push(format!(
+                "{LEDGER}: {} / {} is no longer registered",
+                c.function, c.method
+            ));
+        }
+    }
+    found.extend(ulp_difference(&numbers.ulp, &fresh)?.map(|e| format!("{ULP}: {e}")));
+    found.extend(
+        number_table::same_table(&numbers.map, &measured::map()?, &[], &[])
+            .err()
+            .map(|e| format!("{MAP}: {e}")),
+    );
+    found.extend(stale_drawings(&numbers)?);
+    found.extend(fresh.iter().filter_map(crate::promise::complaint));
+    let passed = found.is_empty();
+    let text = if passed {
+        format!(
+            "ledger, charts and tables are current; {} methods measured again\n",
+            fresh.len()
+        )
+    } else {
+        let lines: String = found.iter().map(|f| format!("  {f}\n")).collect();
+        format!(
+            "{} differences; a full run of report renews the files:\n{lines}",
+            found.len()
+        )
+    };
+    Ok(Report { text, passed })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ledger::sample;
+    use reference::registry::Precision;
+
+    #[test]
+    fn own_rows_must_agree_exactly_and_clock_columns_are_free() {
+        let a = sample("accurate", Origin::Ours, Precision::F64, 10.0, 1e-16);
+        let mut b = a.clone();
+        b.ns = 99.0;
+        b.device = "another".to_string();
+        assert_eq!(row_difference(&a, &b), None);
+        b.max_ulp = 0.70001;
+        assert!(row_difference(&a, &b).expect("differs").contains("max_ulp"));
+        let a = sample("cephes", Origin::Peer, Precision::F64, 10.0, 1e-16);
+        let mut b = a.clone();
+        (b.max_ulp, b.worst) = (0.72, vec![1.0]);
+        assert_eq!(row_difference(&a, &b), None);
+        b.max_ulp = 0.9;
+        assert!(row_difference(&a, &b).is_some());
+    }
+}

@@ -1,0 +1,189 @@
+//! Tables in Markdown, drawn from the ledger alone.
+
+use crate::budget_text::metric;
+use crate::ledger::Entry;
+use crate::{goals, names};
+use reference::registry::{Metric, Origin};
+
+/// A table by name, or what is wrong with the name.
+///
+/// - `accuracy`: every method of every function;
+/// - `accuracy FUNCTION`: every method of one function;
+/// - `methods FUNCTION` or `FUNCTION` alone: the crate's own and published methods of one function;
+/// - `goals`: the figures asked for, with what was measured.
+pub fn table(name: &str, entries: &[Entry]) -> Result<String, String> {
+    let words: Vec<&str> = name.split_ascii_whitespace().collect();
+    let of = |function: &str| {
+        let rows: Vec<&Entry> = entries.iter().filter(|e| e.function == function).collect();
+        if rows.is_empty() {
+            Err(format!("the ledger has no function \"{function}\""))
+        } else {
+            Ok(rows)
+        }
+    };
+    match words.as_slice() {
+        ["accuracy"] => Ok(accuracy(&entries.iter().collect::<Vec<_>>(), true)),
+        ["accuracy", function] => Ok(accuracy(&of(function)?, false)),
+        ["goals"] => Ok(goals::table(entries)),
+        ["methods", function] | [function] => Ok(methods(
+            &of(function)?
+                .into_iter()
+                .filter(|e| e.origin != Origin::Peer)
+                .collect::<Vec<_>>(),
+        )),
+        _ => Err(format!("unknown table \"{name}\"")),
+    }
+}
+
+/// Two significant digits, powers of ten where they are shorter.
+pub fn short(value: f64) -> String {
+    if value == 0.0 {
+        "0".to_string()
+    } else if !value.is_finite() || value >= 1e300 {
+        "not finite".to_string()
+    } else if (0.01..1000.0).contains(&value) {
+        let digits = (1 - libm::floor(libm::log10(value)) as i32).max(0) as usize;
+        format!("{value:.digits$}")
+    } else {
+        format!("{value:.1e}")
+    }
+}
+
+/// An error with its unit.
+pub fn with_unit(value: f64, m: Metric) -> String {
+    let text = short(value);
+    match m {
+        Metric::Ulp | Metric::Eps => format!("{text} {}", metric(m)),
+        Metric::Absolute => format!("{text} abs."),
+        Metric::Relative => format!("{text} rel."),
+    }
+}
+
+fn promise(e: &Entry) -> String {
+    e.budget
+        .map_or("none".to_string(), |b| with_unit_exact(b.bound, b.metric))
+}
+
+fn with_unit_exact(bound: f64, m: Metric) -> String {
+    let unit = match m {
+        Metric::Ulp => "ulp",
+        Metric::Eps => "eps",
+        Metric::Absolute => "abs.",
+        Metric::Relative => "rel.",
+    };
+    if (1e-2..1e3).contains(&bound) {
+        format!("{bound} {unit}")
+    } else {
+        format!("{bound:e} {unit}")
+    }
+}
+
+fn cost(e: &Entry) -> String {
+    if e.cost.is_finite() {
+        format!("{:.2} ({})", e.cost, e.baseline)
+    } else {
+        "not timed".to_string()
+    }
+}
+
+fn name(e: &Entry) -> String {
+    let form = if e.call == "slice" { ", slice" } else { "" };
+    format!("`{}`{form}", e.method)
+}
+
+fn worst(e: &Entry) -> String {
+    let inputs: Vec<String> = e.worst.iter().map(|x| format!("{x:.6e}")).collect();
+    inputs.join(" ")
+}
+
+fn accuracy(rows: &[&Entry], with_function: bool) -> String {
+    let mut text = String::new();
+    let (head, rule) = if with_function {
+        ("| function ", "|---")
+    } else {
+        ("", "")
+    };
+    text.push_str(&format!(
+        "{head}| method | what it is | precision | max rel. error | max ulp | 99.9 % rel. error | wrong sign | promise | time / baseline | worst input |\n"
+    ));
+    text.push_str(&format!("{rule}|---|---|---|---|---|---|---|---|---|---|\n"));
+    for e in rows {
+        if with_function {
+            text.push_str(&format!("| `{}` ", e.function));
+        }
+        let sign = if e.wrong_sign == 0.0 {
+            "none".to_string()
+        } else {
+            format!("{} %", short(100.0 * e.wrong_sign))
+        };
+        text.push_str(&format!(
+            "| {} | {} ({}) | {} | {} | {} | {} | {sign} | {} | {} | {} |\n",
+            name(e),
+            e.label.replace('|', "\\|"),
+            names::origin(e.origin),
+            names::precision(e.precision),
+            short(e.max_rel),
+            short(e.max_ulp),
+            short(e.p999_rel),
+            promise(e),
+            cost(e),
+            worst(e)
+        ));
+    }
+    text
+}
+
+fn methods(rows: &[&Entry]) -> String {
+    let mut text = "| method | what it is | precision | largest error | promise | time / baseline |\n".to_string();
+    text.push_str("|---|---|---|---|---|---|\n");
+    for e in rows {
+        let error = with_unit(
+            e.measured(e.budget.map_or(Metric::Relative, |b| b.metric)),
+            e.budget.map_or(Metric::Relative, |b| b.metric),
+        );
+        text.push_str(&format!(
+            "| {} | {} | {} | {error} | {} | {} |\n",
+            name(e),
+            e.label.replace('|', "\\|"),
+            names::precision(e.precision),
+            promise(e),
+            cost(e)
+        ));
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ledger::sample;
+    use reference::registry::Precision;
+
+    #[test]
+    fn numbers_are_short_and_keep_two_digits() {
+        for (value, text) in [
+            (0.0, "0"),
+            (0.523, "0.52"),
+            (0.0512, "0.051"),
+            (15.97, "16"),
+            (1.234e-16, "1.2e-16"),
+            (86.0, "86"),
+            (1e308, "not finite"),
+        ] {
+            assert_eq!(short(value), text);
+        }
+    }
+
+    #[test]
+    fn a_table_of_methods_leaves_peers_out_and_an_unknown_name_is_refused() {
+        let entries = [
+            sample("accurate", Origin::Ours, Precision::F64, 10.0, 1e-16),
+            sample("cephes", Origin::Peer, Precision::F64, 20.0, 3e-16),
+        ];
+        let text = table("methods sine_integral", &entries).expect("known");
+        assert!(text.contains("`accurate`") && !text.contains("`cephes`"));
+        assert_eq!(text.lines().count(), 3);
+        assert!(table("accuracy", &entries).expect("known").contains("`cephes`"));
+        assert!(table("methods sinus", &entries).is_err() && table("speed", &entries).is_err());
+    }
+}

@@ -1,0 +1,75 @@
+//! The public functions of `iridescence::shader`, callable by name on rows of numbers.
+
+use iridescence::shader;
+
+use crate::adapter::Kernel;
+
+/// A Rust function of the subset on one row.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// Name in Rust and in WGSL.
+    pub name: &'static str,
+    /// Number of arguments.
+    pub arguments: usize,
+    /// Names of the fields of a struct result, empty for a plain f32.
+    pub fields: &'static [&'static str],
+    /// Reads a row of arguments and writes the row of results.
+    pub call: fn(&[f32], &mut [f32]),
+}
+
+/// Every public function of the subset.
+pub const CATALOGUE: &[Entry] = &[
+    plain("sine_integral", 1, |x, y| y[0] = shader::sine_integral(x[0])),
+    plain("sine_integral_medium", 1, |x, y| {
+        y[0] = shader::sine_integral_medium(x[0])
+    }),
+    plain("sine_integral_coarse", 1, |x, y| {
+        y[0] = shader::sine_integral_coarse(x[0])
+    }),
+    plain("sine_integral_velinov", 1, |x, y| {
+        y[0] = shader::sine_integral_velinov(x[0])
+    }),
+    plain("sinc_squared_integral", 2, |q, y| {
+        y[0] = shader::sinc_squared_integral(q[0], q[1])
+    }),
+    plain("sinc_squared_integral_medium", 2, |q, y| {
+        y[0] = shader::sinc_squared_integral_medium(q[0], q[1])
+    }),
+    plain("sinc_squared_integral_coarse", 2, |q, y| {
+        y[0] = shader::sinc_squared_integral_coarse(q[0], q[1])
+    }),
+    plain("sinc_squared_integral_velinov", 2, |q, y| {
+        y[0] = shader::sinc_squared_integral_velinov(q[0], q[1])
+    }),
+];
+
+/// A function with a plain f32 result.
+pub const fn plain(name: &'static str, arguments: usize, call: fn(&[f32], &mut [f32])) -> Entry {
+    Entry {
+        name,
+        arguments,
+        fields: &[],
+        call,
+    }
+}
+
+impl Entry {
+    /// The WGSL function of the same name.
+    pub fn kernel(&self) -> Kernel {
+        Kernel {
+            name: self.name.to_owned(),
+            arguments: self.arguments,
+            fields: self.fields.iter().map(ToString::to_string).collect(),
+        }
+    }
+
+    /// Results of the Rust function, row-major.
+    pub fn run(&self, rows: &[f32]) -> Vec<f32> {
+        let width = self.fields.len().max(1);
+        let mut results = vec![0.0; rows.len() / self.arguments * width];
+        for (row, result) in rows.chunks_exact(self.arguments).zip(results.chunks_exact_mut(width)) {
+            (self.call)(row, result);
+        }
+        results
+    }
+}

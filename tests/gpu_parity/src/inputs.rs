@@ -1,0 +1,121 @@
+//! Rows of inputs: uniform, logarithmic, around region borders, and the edges of the format.
+
+use std::f32::consts::FRAC_PI_2;
+
+/// Number of rows of the uniform and of the logarithmic part.
+pub const ROWS: usize = 65_536;
+
+/// Points in [0, 1) that fill it evenly, by multiples of the golden section; `stream` shifts them.
+fn fraction(i: usize, stream: u64) -> f64 {
+    let step = 0x9e37_79b9_7f4a_7c15u64.rotate_left(u32::try_from(stream % 64).unwrap_or(0) * 2) | 1;
+    let bits = (i as u64 + 1).wrapping_mul(step).wrapping_add(stream << 57);
+    (bits >> 11) as f64 / (1u64 << 53) as f64
+}
+
+fn logarithmic(i: usize, stream: u64, low: f64, high: f64) -> f32 {
+    let size = low * (high / low).powf(fraction(i, stream));
+    (if i.is_multiple_of(2) { size } else { -size }) as f32
+}
+
+/// Numbers around which a kernel may change its formula: small integers, their eighths and multiples of pi/2, each
+/// with the neighbours up to 3 ulp.
+fn borders() -> Vec<f32> {
+    let centres = (1..=128)
+        .map(|n| n as f32 * 0.125)
+        .chain((1..=256).map(|n| n as f32 * FRAC_PI_2))
+        .chain((17..=64).map(|n| n as f32))
+        .chain([100.0, 1e3, 1e4]);
+    centres
+        .flat_map(|centre| (-3..=3i32).map(move |d| f32::from_bits(centre.to_bits().wrapping_add_signed(d))))
+        .flat_map(|x| [x, -x])
+        .collect()
+}
+
+/// Zeros, subnormals, powers of two through all exponents, the largest numbers, infinities and NaN.
+fn edges() -> Vec<f32> {
+    let powers = (0..255u32).flat_map(|exponent| [exponent << 23, (exponent << 23) | 1, (exponent << 23) | 0x7f_ffff]);
+    powers
+        .chain([f32::INFINITY.to_bits(), f32::NAN.to_bits()])
+        .map(f32::from_bits)
+        .flat_map(|x| [x, -x])
+        .collect()
+}
+
+/// Rows for a function of one argument.
+pub fn single() -> Vec<f32> {
+    let uniform = (0..ROWS).map(|i| (fraction(i, 1) * 120.0 - 60.0) as f32);
+    let logs = (0..ROWS).map(|i| logarithmic(i, 2, 1e-6, 1e4));
+    uniform.chain(logs).chain(borders()).chain(edges()).collect()
+}
+
+/// Rows for a function of an interval, two to a row: arcs of every length, near and far, forwards and backwards.
+pub fn pairs() -> Vec<f32> {
+    let uniform = (0..ROWS).map(|i| {
+        [
+            (fraction(i, 3) * 120.0 - 60.0) as f32,
+            (fraction(i, 4) * 120.0 - 60.0) as f32,
+        ]
+    });
+    let logs = (0..ROWS).map(|i| {
+        let start = logarithmic(i, 5, 1e-4, 1e3);
+        [start, start + logarithmic(i / 2, 6, 1e-6, 1e2)]
+    });
+    let borders = borders();
+    let near = borders
+        .iter()
+        .enumerate()
+        .map(|(i, &q)| [q, q + logarithmic(i, 7, 1e-3, 10.0)]);
+    let across = borders.iter().zip(borders.iter().rev()).map(|(&a, &b)| [a, b]);
+    let edges = edges();
+    let extreme = edges
+        .iter()
+        .zip(edges.iter().rev())
+        .flat_map(|(&a, &b)| [[a, b], [a, a], [a, 1.0], [-2.0, a]]);
+    uniform
+        .chain(logs)
+        .chain(near)
+        .chain(across)
+        .chain(extreme)
+        .flatten()
+        .collect()
+}
+
+/// Rows for a function of `arguments` arguments.
+pub fn rows(arguments: usize) -> Vec<f32> {
+    match arguments {
+        1 => single(),
+        2 => pairs(),
+        n => (0..ROWS * n)
+            .map(|i| logarithmic(i / n, 8 + (i % n) as u64, 1e-3, 1e3))
+            .collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_are_whole_and_reach_every_part() {
+        let rows = single();
+        assert!(rows.len() > 2 * ROWS);
+        assert!(rows.iter().any(|x| x.is_nan()) && rows.iter().any(|x| x.is_infinite()));
+        assert!(rows.iter().any(|x| x.is_subnormal()) && rows.contains(&4.0) && rows.contains(&f32::MAX));
+        assert!(rows.iter().any(|x| x.to_bits() == (-0.0f32).to_bits()));
+        assert_eq!(pairs().len() % 2, 0);
+        let short = pairs()
+            .chunks_exact(2)
+            .filter(|q| (q[1] - q[0]).abs() < 1e-3 && q[0].abs() > 1.0)
+            .count();
+        assert!(short > 1000, "only {short} short arcs far out");
+    }
+
+    #[test]
+    fn uniform_rows_fill_their_interval() {
+        let mut bins = [0usize; 12];
+        for x in &single()[..ROWS] {
+            bins[((x + 60.0) / 10.0) as usize % 12] += 1;
+        }
+        assert!(bins.iter().all(|&n| n > ROWS / 13 && n < ROWS / 11), "{bins:?}");
+    }
+}

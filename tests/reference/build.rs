@@ -1,0 +1,10 @@
+//! Links GSL where its feature asks for it.
+
+fn main() {
+    println!("cargo::rerun-if-changed=build.rs");
+    if std::env::var_os("CARGO_FEATURE_GSL").is_some() {
+        println!("cargo::rustc-link-lib=gsl");
+        println!("cargo::rustc-link-lib=gslcblas");
+        println!("cargo::rustc-link-lib=m");
+    }
+}

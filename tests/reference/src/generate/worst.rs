@@ -1,0 +1,59 @@
+//! Worst inputs found so far, from `data/worst/<function>.csv`: every mixture begins with them.
+
+use crate::hexadecimal;
+
+/// Name and text of each file: one header line, then one row of hexadecimal floats a line, `#` comments.
+const FILES: [(&str, usize, &str); 3] = [
+    (
+        "sine_integral",
+        1,
+        include_str!("../../../../data/worst/sine_integral.csv"),
+    ),
+    ("sinc", 1, include_str!("../../../../data/worst/sinc.csv")),
+    (
+        "sinc_squared_integral",
+        2,
+        include_str!("../../../../data/worst/sinc_squared_integral.csv"),
+    ),
+];
+
+/// All recorded rows with this number of columns, whichever function they were found for.
+pub fn recorded(columns: usize) -> Vec<Vec<f64>> {
+    let files = FILES.iter().filter(|file| file.1 == columns);
+    files.flat_map(|&(name, _, text)| parse(name, columns, text)).collect()
+}
+
+fn parse(name: &str, columns: usize, text: &str) -> Vec<Vec<f64>> {
+    let lines = text
+        .lines()
+        .enumerate()
+        .filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
+    let rows = lines.skip(1).map(|(number, line)| {
+        let row: Vec<f64> = line
+            .split(',')
+            .map(|word| {
+                hexadecimal::parse(word)
+                    .unwrap_or_else(|_| panic!("data/worst/{name}.csv, line {}: {word:?}", number + 1))
+            })
+            .collect();
+        assert_eq!(row.len(), columns, "data/worst/{name}.csv, line {}", number + 1);
+        row
+    });
+    rows.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_recorded_row_is_read_and_comments_are_not() {
+        let rows = parse(
+            "test",
+            2,
+            "# found by hand\nq0,q1\n0x1.8p+1,0x1.0p+2\n\n# another\n-0x1.0p+0,0x0.0p+0\n",
+        );
+        assert_eq!(rows, [vec![3.0, 4.0], vec![-1.0, 0.0]]);
+        assert!(!recorded(1).is_empty() && !recorded(2).is_empty());
+    }
+}

@@ -1,0 +1,165 @@
+//! The same truths by arbitrary precision: the power series of Si and its asymptotic counterpart, and the arc as a plain
+//! difference of antiderivatives with enough bits that the cancellation does not matter. Slow (up to milliseconds).
+
+use crate::metrics::Reference;
+use dashu_float::{FBig, round::mode::HalfEven};
+
+type Big = FBig<HalfEven, 2>;
+
+/// Bits kept in every result. An arc one ulp long at a zero of the integrand is 2^-160 of the antiderivative.
+const BITS: usize = 400;
+/// Argument of Si from which the asymptotic series is used; its smallest term there is e^-400, about 2^-577.
+const ASYMPTOTIC_START: f64 = 400.0;
+
+fn big(x: f64, bits: usize) -> Big {
+    Big::try_from(x).expect("finite").with_precision(bits).value()
+}
+
+fn reference(x: &Big) -> Reference {
+    let rounded = x.to_f64().value();
+    if rounded == 0.0 && is_zero(x) {
+        return Reference::exact(0.0);
+    }
+    let exponent = if rounded.abs() < 1e-200 { -600 } else { 0 };
+    let x = x.clone() << (-exponent);
+    let hi = x.to_f64().value();
+    let lo = (x - big(hi, BITS)).to_f64().value();
+    Reference {
+        hi,
+        lo,
+        exponent: exponent as i32,
+    }
+}
+
+/// Si(x) for finite x >= 0.
+fn sine_integral_big(x: f64) -> Big {
+    if x >= ASYMPTOTIC_START {
+        let half_pi = Big::pi(BITS) / big(2.0, BITS);
+        return half_pi - sine_integral_tail(x);
+    }
+    // The largest term is about e^x/x^2: that many bits more.
+    let bits = BITS + 20 + (1.5 * x) as usize;
+    let x = big(x, bits);
+    let square = x.sqr();
+    let mut power = x.clone();
+    let mut sum = x.clone();
+    let mut n = 1u32;
+    loop {
+        let factor = big(f64::from(2 * n) * f64::from(2 * n + 1), bits);
+        power = -(power * &square / factor);
+        let term = &power / big(f64::from(2 * n + 1), bits);
+        if is_zero(&term) || magnitude(&term) < magnitude(&sum) - bits as isize {
+            return sum;
+        }
+        sum += term;
+        n += 1;
+    }
+}
+
+fn is_zero(x: &Big) -> bool {
+    x.repr().digits() == 0 || x.repr().significand() == &dashu_int::IBig::ZERO
+}
+
+/// Binary exponent of a number other than zero.
+fn magnitude(x: &Big) -> isize {
+    x.repr().exponent() + x.repr().digits() as isize
+}
+
+/// pi/2 - Si(x) = f cos x + g sin x for large finite x, to 2^-BITS of 1/x.
+fn sine_integral_tail(x: f64) -> Big {
+    let (sine, cosine) = big(x, BITS).sin_cos();
+    let inverse = big(1.0, BITS) / big(x, BITS);
+    // Terms k!/x^(k+1) with signs + + - - for cos, sin, cos, sin.
+    let mut term = inverse.clone();
+    let mut total = big(0.0, BITS);
+    for k in 0..400u32 {
+        let part = &term * (if k % 2 == 0 { &cosine } else { &sine });
+        total = if k % 4 < 2 { total + part } else { total - part };
+        term = term * &inverse * big(f64::from(k + 1), BITS);
+        if magnitude(&term) < magnitude(&inverse) - BITS as isize {
+            break;
+        }
+    }
+    total
+}
+
+/// Si(x) for any f64.
+pub fn sine_integral(x: f64) -> Reference {
+    if x.is_nan() || x == 0.0 {
+        return Reference::exact(x);
+    }
+    let value = if x.is_infinite() {
+        reference(&(Big::pi(BITS) / big(2.0, BITS)))
+    } else {
+        reference(&sine_integral_big(x.abs()))
+    };
+    if x < 0.0 { -value } else { value }
+}
+
+/// The integral of sinc^2 from 0 to finite q >= 0: Si(2q) - sin^2(q)/q.
+fn antiderivative(q: f64) -> Big {
+    if q == 0.0 {
+        return big(0.0, BITS);
+    }
+    let exact = big(q, 2 * BITS);
+    sine_integral_big(2.0 * q).with_precision(BITS + 20).value() - exact.sin().sqr() / exact
+}
+
+/// The integral of sinc^2 from q >= 200 to infinity, q halved once where 2q would overflow.
+fn tail(q: f64) -> Big {
+    if q.is_infinite() {
+        return big(0.0, BITS);
+    }
+    let exact = big(q, BITS);
+    if q > 1e200 {
+        // The oscillating parts are below 2^-600 of the leading term.
+        return big(0.5, BITS) / exact;
+    }
+    sine_integral_tail(2.0 * q) + exact.sin().sqr() / exact
+}
+
+/// The integral of sinc^2 from `q0` to `q1`, any f64.
+pub fn sinc_squared_integral(q0: f64, q1: f64) -> Reference {
+    if q0.is_nan() || q1.is_nan() {
+        return Reference::exact(f64::NAN);
+    }
+    if q0 == q1 {
+        return Reference::exact(0.0);
+    }
+    if q1 < q0 {
+        return -sinc_squared_integral(q1, q0);
+    }
+    if q0 < 0.0 && q1 <= 0.0 {
+        return sinc_squared_integral(-q1, -q0);
+    }
+    const TAIL_START: f64 = ASYMPTOTIC_START / 2.0;
+    let from_zero = |q: f64| {
+        if q >= TAIL_START {
+            Big::pi(BITS) / big(2.0, BITS) - tail(q)
+        } else {
+            antiderivative(q)
+        }
+    };
+    if q0 < 0.0 {
+        return reference(&(from_zero(-q0) + from_zero(q1)));
+    }
+    if q0 >= TAIL_START {
+        return reference(&(tail(q0) - tail(q1)));
+    }
+    reference(&(from_zero(q1) - from_zero(q0)))
+}
+
+/// sin x/x for any f64.
+pub fn sinc(x: f64) -> Reference {
+    if x.is_nan() {
+        return Reference::exact(x);
+    }
+    if x == 0.0 {
+        return Reference::exact(1.0);
+    }
+    if x.is_infinite() {
+        return Reference::exact(0.0);
+    }
+    let exact = big(x.abs(), BITS);
+    reference(&(exact.sin() / exact))
+}

@@ -1,0 +1,213 @@
+//! The methods of this crate, the published fit among them, each with the bound it promises.
+
+use super::{Budget, Call, Method, Metric, Origin, Precision};
+use crate::generate::{Generator, arcs, points};
+use Call::{F32, F32Pair, F32PairSlice, F32Slice, F64, F64Pair, F64Slice};
+use Metric::{Absolute, Eps, Relative, Ulp};
+use iridescence::{shader, simd, special};
+
+const SI: &str = "sine_integral";
+const ARC: &str = "sinc_squared_integral";
+
+fn own(
+    function: &'static str,
+    method: &'static str,
+    label: &'static str,
+    call: Call,
+    metric: Metric,
+    bound: f64,
+) -> Method {
+    let double = matches!(call, F64(_) | F64Pair(_) | F64Slice(_) | Call::F64PairSlice(_));
+    Method {
+        function,
+        method,
+        label,
+        precision: if double { Precision::F64 } else { Precision::F32 },
+        origin: if method == "vwh18" {
+            Origin::Published
+        } else {
+            Origin::Ours
+        },
+        domain: domain(call.columns(), double),
+        slice_of: call.is_slice().then_some(method),
+        call,
+        budget: Some(Budget { metric, bound }),
+    }
+}
+
+/// One domain for all methods of a function and precision, so that a chart compares like with like.
+pub(super) fn domain(columns: usize, double: bool) -> Generator {
+    match (columns, double) {
+        (1, true) => points::REAL_F64,
+        (1, false) => points::REAL_F32,
+        (_, true) => arcs::ARC_F64,
+        (_, false) => arcs::SCRATCH_F32,
+    }
+}
+
+pub(super) fn methods() -> Vec<Method> {
+    vec![
+        own(
+            SI,
+            "accurate",
+            "iridescence f64",
+            F64(special::sine_integral),
+            Ulp,
+            0.75,
+        ),
+        own(
+            SI,
+            "vwh18",
+            "VWH18 Eq. 29",
+            F64(special::sine_integral_vwh18),
+            Absolute,
+            0.051,
+        ),
+        own(
+            SI,
+            "accurate",
+            "iridescence f64 slices",
+            F64Slice(simd::sine_integral),
+            Ulp,
+            0.75,
+        ),
+        own(SI, "accurate", "iridescence f32", F32(shader::sine_integral), Ulp, 2.0),
+        own(
+            SI,
+            "medium",
+            "iridescence f32 1e-5 tier",
+            F32(shader::sine_integral_medium),
+            Absolute,
+            1e-5,
+        ),
+        own(
+            SI,
+            "coarse",
+            "iridescence f32 4e-4 tier",
+            F32(shader::sine_integral_coarse),
+            Absolute,
+            4e-4,
+        ),
+        own(
+            SI,
+            "vwh18",
+            "VWH18 Eq. 29 f32",
+            F32(shader::sine_integral_velinov),
+            Absolute,
+            0.051,
+        ),
+        own(
+            SI,
+            "accurate",
+            "iridescence f32 slices",
+            F32Slice(simd::shader::sine_integral),
+            Ulp,
+            2.0,
+        ),
+        own(
+            SI,
+            "medium",
+            "iridescence f32 1e-5 slices",
+            F32Slice(simd::shader::sine_integral_medium),
+            Absolute,
+            1e-5,
+        ),
+        own(
+            SI,
+            "coarse",
+            "iridescence f32 4e-4 slices",
+            F32Slice(simd::shader::sine_integral_coarse),
+            Absolute,
+            4e-4,
+        ),
+        own(
+            SI,
+            "vwh18",
+            "VWH18 Eq. 29 f32 slices",
+            F32Slice(simd::shader::sine_integral_velinov),
+            Absolute,
+            0.051,
+        ),
+        own(
+            ARC,
+            "accurate",
+            "iridescence f64",
+            F64Pair(special::sinc_squared_integral),
+            Eps,
+            16.0,
+        ),
+        own(
+            ARC,
+            "vwh18",
+            "VWH18 Eq. 27 with Eq. 29",
+            F64Pair(special::sinc_squared_integral_vwh18),
+            Absolute,
+            0.103,
+        ),
+        own(
+            ARC,
+            "accurate",
+            "iridescence f32",
+            F32Pair(shader::sinc_squared_integral),
+            Relative,
+            1e-5,
+        ),
+        own(
+            ARC,
+            "medium",
+            "iridescence f32 1e-5 tier",
+            F32Pair(shader::sinc_squared_integral_medium),
+            Absolute,
+            2e-5,
+        ),
+        own(
+            ARC,
+            "coarse",
+            "iridescence f32 4e-4 tier",
+            F32Pair(shader::sinc_squared_integral_coarse),
+            Absolute,
+            8e-4,
+        ),
+        own(
+            ARC,
+            "vwh18",
+            "VWH18 Eq. 27 f32",
+            F32Pair(shader::sinc_squared_integral_velinov),
+            Absolute,
+            0.103,
+        ),
+        own(
+            ARC,
+            "accurate",
+            "iridescence f32 slices",
+            F32PairSlice(simd::shader::sinc_squared_integral),
+            Relative,
+            1e-5,
+        ),
+        own(
+            ARC,
+            "medium",
+            "iridescence f32 1e-5 slices",
+            F32PairSlice(simd::shader::sinc_squared_integral_medium),
+            Absolute,
+            2e-5,
+        ),
+        own(
+            ARC,
+            "coarse",
+            "iridescence f32 4e-4 slices",
+            F32PairSlice(simd::shader::sinc_squared_integral_coarse),
+            Absolute,
+            8e-4,
+        ),
+        own(
+            ARC,
+            "vwh18",
+            "VWH18 Eq. 27 f32 slices",
+            F32PairSlice(simd::shader::sinc_squared_integral_velinov),
+            Absolute,
+            0.103,
+        ),
+        own("sinc", "accurate", "iridescence f64", F64(special::sinc), Ulp, 1.5),
+    ]
+}

@@ -1,0 +1,187 @@
+//! Every one of the 2^32 f32 inputs of the f32 sine integrals, against Cephes in f64 (3 ulp of f64, 6e-9 ulp of f32)
+//! and, below 1e-3, the series.
+//!
+//! `cargo test -p reference --release --test exhaustive_f32 -- --ignored --nocapture`
+
+use reference::metrics::{MISMATCH, ulp_error};
+use reference::oracle;
+use reference::peers::sine_integral_cephes;
+use reference::registry::{Call, Metric, Origin, Precision, methods};
+use std::thread;
+
+/// What is swept: the function and its promise.
+struct Tier {
+    name: &'static str,
+    si: fn(f32) -> f32,
+    metric: Metric,
+    bound: f64,
+    /// Ours keep their promise at infinity too; the published fit is 0/0 there.
+    ours: bool,
+}
+
+/// The bits of infinity, behind those of the largest number.
+const INFINITY: u32 = 0x7F80_0000;
+
+/// The largest error found and its input.
+type Worst = (f64, f32);
+
+/// Unit in the last place of f32 numbers of the size of `x`, a normal f64.
+fn ulp_of(x: f64) -> f64 {
+    let exponent = ((x.to_bits() >> 52) & 0x7FF) as i64 - 1023;
+    f64::from_bits(((exponent.max(-126) - 23 + 1023) as u64) << 52)
+}
+
+/// Si(x) in f64 for x >= 0, pi/2 at infinity: Cephes, and three terms of the series where they hold 1e-22.
+fn reference(x: f64) -> f64 {
+    if x < 1e-3 {
+        let square = x * x;
+        return x - x * square * (1.0 / 18.0 - square * (1.0 / 600.0));
+    }
+    sine_integral_cephes(x)
+}
+
+/// Error of one result in the tier's metric; `MISMATCH` where the class is wrong.
+fn error(tier: &Tier, result: f32, truth: f64, ulp: f64) -> f64 {
+    if !result.is_finite() {
+        return MISMATCH;
+    }
+    let difference = (f64::from(result) - truth).abs();
+    if tier.metric == Metric::Ulp {
+        difference / ulp
+    } else {
+        difference
+    }
+}
+
+/// Sweeps the sizes with the bit patterns `first..last`; both signs of each.
+fn sweep(tiers: &[Tier], first: u32, last: u32) -> Vec<Worst> {
+    let mut worst = vec![(0.0, 0.0); tiers.len()];
+    for bits in first..last {
+        let x = f32::from_bits(bits);
+        let truth = reference(f64::from(x));
+        let ulp = ulp_of(truth);
+        for (tier, worst) in tiers.iter().zip(&mut worst) {
+            let (result, mirrored) = ((tier.si)(x), (tier.si)(-x));
+            assert_eq!(
+                mirrored.to_bits(),
+                result.to_bits() ^ (1 << 31),
+                "{} is not odd at {x:e}",
+                tier.name
+            );
+            if bits == INFINITY && !tier.ours {
+                continue;
+            }
+            let error = error(tier, result, truth, ulp);
+            if error > worst.0 {
+                *worst = (error, x);
+            }
+        }
+    }
+    worst
+}
+
+/// The scalar f32 methods of the sine integral that are ours or published.
+fn tiers() -> Vec<Tier> {
+    let own = methods().iter().filter(|m| m.function == "sine_integral");
+    own.filter_map(|m| match (m.call, m.budget) {
+        (Call::F32(si), Some(budget)) => Some(Tier {
+            name: m.method,
+            si,
+            metric: budget.metric,
+            bound: budget.bound,
+            ours: m.origin == Origin::Ours,
+        }),
+        _ => None,
+    })
+    .collect()
+}
+
+#[test]
+#[ignore = "2^32 inputs: some minutes, in release only"]
+fn the_f32_sine_integrals_keep_their_promise_on_every_input() {
+    let tiers = tiers();
+    assert!(
+        tiers
+            .iter()
+            .any(|t| t.name == "accurate" && t.metric == Metric::Ulp && t.bound <= 2.0)
+    );
+    let threads = thread::available_parallelism().map_or(2, usize::from) as u32;
+    // Small pieces taken in turn, since small arguments cost less than large ones. Infinity is the last input.
+    let pieces = 256 * threads;
+    let piece = |i: u32| (u64::from(INFINITY) + 1) * u64::from(i) / u64::from(pieces);
+    let parts: Vec<Vec<Worst>> = thread::scope(|scope| {
+        let tiers = &tiers;
+        let handles: Vec<_> = (0..threads)
+            .map(|t| {
+                scope.spawn(move || {
+                    let taken = (t..pieces).step_by(threads as usize);
+                    taken
+                        .map(|i| sweep(tiers, piece(i) as u32, piece(i + 1) as u32))
+                        .collect::<Vec<_>>()
+                })
+            })
+            .collect();
+        handles
+            .into_iter()
+            .flat_map(|h| h.join().expect("a sweep found a broken symmetry"))
+            .collect()
+    });
+    for tier in &tiers {
+        for bits in INFINITY + 1..=0x7FFF_FFFF {
+            let nan = f32::from_bits(bits);
+            assert!(
+                (tier.si)(nan).is_nan() && (tier.si)(-nan).is_nan(),
+                "{}: {bits:#x} is NaN",
+                tier.name
+            );
+        }
+    }
+    for (i, tier) in tiers.iter().enumerate() {
+        let (largest, x) = parts
+            .iter()
+            .map(|part| part[i])
+            .fold((0.0, 0.0), |a, b| if b.0 > a.0 { b } else { a });
+        let sharp = ulp_error(
+            f64::from((tier.si)(x)),
+            &oracle::sine_integral(f64::from(x)),
+            Precision::F32,
+        );
+        println!(
+            "{}: {largest:.4e} {:?} at {x:e} ({:#010x}), {sharp:.4} ulp by the oracle",
+            tier.name,
+            tier.metric,
+            x.to_bits()
+        );
+        assert!(
+            largest <= tier.bound,
+            "{}: {largest} {:?} at {x:e}, promised {}",
+            tier.name,
+            tier.metric,
+            tier.bound
+        );
+    }
+}
+
+#[test]
+fn the_sweep_sees_a_single_wrong_input() {
+    fn off_at_one(x: f32) -> f32 {
+        let si = sine_integral_cephes(f64::from(x)) as f32;
+        if x.abs() == 1.0 {
+            (si * 1.000_001).copysign(x)
+        } else {
+            si.copysign(x)
+        }
+    }
+    let tier = Tier {
+        name: "off",
+        si: off_at_one,
+        metric: Metric::Ulp,
+        bound: 2.0,
+        ours: true,
+    };
+    let one = 1f32.to_bits();
+    let worst = sweep(&[tier], one - 1000, one + 1000)[0];
+    assert!(worst.1 == 1.0 && worst.0 > 10.0, "{worst:?}");
+    assert_eq!(ulp_of(1.0), f64::from(f32::EPSILON));
+    assert_eq!(ulp_of(1e-44), 2f64.powi(-149));
+}
