@@ -1,4 +1,49 @@
 //! Closed-form wave optics for renderers.
+//!
+//! A scratch or a thin film has a colour because light waves meet themselves. The papers that render this leave a few
+//! special functions and integrals to evaluate; here they are, in f64 to the last digits and in f32 for shaders, each
+//! with an error bound that a test holds.
+//!
+//! Every method of the sine integral, error against time, the peers among them:
+//!
+#![cfg_attr(doc, doc = include_str!("../docs/charts/sine_integral_error_time.svg"))]
+//!
+//! # Example
+//!
+//! The share of a scratch's lobe that falls on a light: a scratch 2.5 um wide, a wavelength of 0.52 um, a light that
+//! covers the direction cosines 0.45 to 0.47 across the scratch (VWH18 Eqs. 25 and 27).
+//!
+//! ```
+//! use core::f64::consts::PI;
+//! use iridescence::special;
+//!
+//! let light = [0.45, 0.47].map(|xi| PI * 2.5 * xi / 0.52);
+//! let share = special::sinc_squared_integral(light) / PI;
+//! assert!(share > 0.0);
+//! // The fit that the paper publishes for shaders gives this light less than nothing.
+//! assert!(special::sinc_squared_integral_vwh18(light) < 0.0);
+//! ```
+//!
+//! # Modules
+//!
+//! | module | what it holds | precision | feature |
+//! |---|---|---|---|
+//! | [`special`] | sinc, the sine integral, the integral of sinc squared over an arc | f64 | |
+#![cfg_attr(
+    feature = "shader",
+    doc = "| [`shader`] | the same in f32, in cheaper tiers as well, with their WGSL, GLSL and HLSL text | f32 | `shader` |"
+)]
+#![cfg_attr(
+    feature = "simd",
+    doc = "| [`simd`] | slice functions over the same sources, at the widest vector level of the machine | f64, f32 | `simd` |"
+)]
+//!
+//! # Conventions
+//!
+//! Lengths are in micrometres, directions are cosines, phases are in radians unless a name says turns. The wave number
+//! is 2 pi/lambda, the time factor e^{-i omega t}, and sinc x = sin x/x. NaN in gives NaN out; nothing panics. The
+//! accurate function has the plain name; any other method is named after it, `sine_integral_vwh18`. A Cargo feature
+//! adds functions and never changes a number.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -8,3 +53,8 @@ pub mod shader;
 #[cfg(feature = "simd")]
 pub mod simd;
 pub mod special;
+
+/// The examples of README.md, as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;

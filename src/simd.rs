@@ -53,7 +53,7 @@ macro_rules! slice_function {
 }
 
 slice_function! {
-    /// Writes [`special::sine_integral`](crate::special::sine_integral) of each `x`.
+    /// Writes [`special::sine_integral`](crate::special::sine_integral()) of each `x`.
     sine_integral, sine_integral_at, f64 => f64,
     |block| crate::special::sine_integral_block(block), |x| crate::special::sine_integral(x)
 }

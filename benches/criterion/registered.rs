@@ -41,6 +41,7 @@ fn add(group: &mut BenchmarkGroup<WallTime>, name: &str, call: &Call, rows: &[f6
         Call::F64Pair(f) => each(group, name, &pairs, f),
         Call::F32(f) => each(group, name, &single, f),
         Call::F32Pair(f) => each(group, name, &single_pairs, move |[a, b]| f(a, b)),
+        Call::F32Triple(f) => each(group, name, single.as_chunks::<3>().0, move |[a, b, c]| f(a, b, c)),
         Call::F64Slice(f) => whole(group, name, rows, f),
         Call::F64PairSlice(f) => whole(group, name, &pairs, f),
         Call::F32Slice(f) => whole(group, name, &single, f),

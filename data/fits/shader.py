@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Fits the f32 coefficients of src/shader.
 
-    python3 data/fits/shader.py            writes src/shader/coefficients.rs
-    python3 data/fits/shader.py --check    exits 1 when the committed file differs
+    python3 data/fits/shader.py            writes src/shader/coefficients.rs and its row in fits.csv
+    python3 data/fits/shader.py --check    exits 1 when the committed file or row differs
 
 Needs mpmath (PyPI). Fits are made with 30 digits and rounded once to f32.
 
@@ -18,6 +18,7 @@ import pathlib
 import struct
 import sys
 
+import provenance
 from mpmath import ci, cos, lu_solve, matrix, mp, mpf, pi, si, sin
 
 mp.dps = 30
@@ -200,9 +201,12 @@ def main():
     if "--check" in sys.argv:
         if OUT.read_text() != made:
             sys.exit(f"{OUT} is not what this script writes")
+        if not provenance.current(OUT, "shader.py", made):
+            sys.exit(f"the row of {OUT} in fits.csv is not what this script writes")
         print("src/shader/coefficients.rs: current")
     else:
         OUT.write_text(made)
+        provenance.record(OUT, "shader.py", made)
 
 
 main()

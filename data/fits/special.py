@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Fits the f64 tables of src/special: cells of Si and H, and the auxiliary tail.
 
-    python3 data/fits/special.py            writes src/special/tables.rs and src/numeric/tables.rs
-    python3 data/fits/special.py --check    exits 1 when a committed file differs
+    python3 data/fits/special.py            writes src/special/tables.rs, src/numeric/tables.rs and their rows in fits.csv
+    python3 data/fits/special.py --check    exits 1 when a committed file or row differs
 
 Needs mpmath (PyPI). Everything is computed with 60 digits and rounded once.
 
@@ -22,6 +22,8 @@ with u = r^2 on |r| <= 1.001 pi/2, at Chebyshev points.
 
 import pathlib
 import sys
+
+import provenance
 
 from mpmath import ci, cos, mp, mpf, pi, si, sin
 
@@ -214,9 +216,12 @@ def main():
         if "--check" in sys.argv:
             if path.read_text() != made:
                 sys.exit(f"{path} is not what this script writes")
+            if not provenance.current(path, "special.py", made):
+                sys.exit(f"the row of {path} in fits.csv is not what this script writes")
             print(f"src/{folder}/tables.rs: current")
         else:
             path.write_text(made)
+            provenance.record(path, "special.py", made)
 
 
 main()

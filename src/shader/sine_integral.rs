@@ -9,8 +9,6 @@ use super::gpu::{abs, min, select};
 
 /// pi/2 as an f32.
 pub(super) const HALF_PI: f32 = 1.5707964;
-/// What [`HALF_PI`] has too much.
-pub(super) const HALF_PI_EXCESS: f32 = 4.371139e-8;
 /// Squares beyond this change nothing in the ratio of two polynomials.
 pub(super) const SQUARE_LIMIT: f32 = 16777216.0;
 
@@ -32,10 +30,10 @@ pub fn sine_integral(x: f32) -> f32 {
     let d = s * (s * (s * (s + SI_D_A) + SI_D_B) + SI_D_C) + SI_D_D;
     let m = s * (s * (s + SI_G_A) + SI_G_B) + SI_G_C;
     let wave = (near.cosine * n + (near.sine * bounded) * m) / (bounded * d);
-    let tail = HALF_PI - (turns.parity * wave + HALF_PI_EXCESS);
+    let tail = HALF_PI - turns.parity * wave;
     let value = select(tail, head, y < SI_BORDER);
     let finite = select(value, HALF_PI, y >= PHASE_LIMIT);
-    select(finite, -finite, x < 0.0)
+    odd_continuation(x, finite)
 }
 
 /// Returns Si(x) to 1e-5 absolute. Any x; odd. VWH18 Eq. 28.
@@ -57,7 +55,7 @@ pub fn sine_integral_medium(x: f32) -> f32 {
     let wave = (near.cosine * n + (near.sine * bounded) * m) / (bounded * d);
     let tail = HALF_PI - turns.parity * wave;
     let value = select(tail, head, y < SI_MEDIUM_BORDER);
-    select(value, -value, x < 0.0)
+    odd_continuation(x, value)
 }
 
 /// Returns Si(x) to 4e-4 absolute. Any x; odd. VWH18 Eq. 28.
@@ -75,7 +73,7 @@ pub fn sine_integral_coarse(x: f32) -> f32 {
     let wave = (near.cosine * (s + SI_COARSE_F_A) + near.sine * bounded) / (bounded * (s + SI_COARSE_D_A));
     let tail = HALF_PI - turns.parity * wave;
     let value = select(tail, head, y < SI_COARSE_BORDER);
-    select(value, -value, x < 0.0)
+    odd_continuation(x, value)
 }
 
 /// VWH18, below Eq. 29.
@@ -94,5 +92,5 @@ pub fn sine_integral_velinov(x: f32) -> f32 {
     let sigmoid = 1.0 - 2.0 / (exponential(2.0 * min(y, 20.0)) + 1.0);
     let offset = y - VELINOV_OFFSET;
     let value = HALF_PI * sigmoid - (VELINOV_BUMP * y) / (1.0 + offset * offset) + (1.0 - wave.cosine) / (1.0 + y);
-    select(value, -value, x < 0.0)
+    odd_continuation(x, value)
 }

@@ -26,7 +26,7 @@ pub(super) fn cell(table: &Cells, slope: f64, x: f64) -> (f64, f64) {
     (base, rest)
 }
 
-/// Returns (1 - x f(x)) x^2 and (1 - x^2 g(x)) x^2 from `w` = 1/x^2, for x >= TAIL.
+/// Returns (1 - x f(x)) x^2 and (1 - x^2 g(x)) x^2 from `w` = 1/x^2, for x >= TAIL_LOW.
 ///
 /// f and g are the auxiliary functions of the sine integral, DLMF 6.2.17 and 6.2.18.
 #[inline(always)]

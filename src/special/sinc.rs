@@ -14,7 +14,7 @@ use crate::numeric::polynomial::Powers;
 
 /// Returns sin x / x for `x` in radians, dimensionless; 1 at 0, 0 at ±inf.
 ///
-/// The derivative of [`sine_integral`](super::sine_integral).
+/// The derivative of [`sine_integral`](super::sine_integral()).
 #[must_use]
 pub fn sinc(x: f64) -> f64 {
     if x == 0.0 {

@@ -6,7 +6,7 @@
 //! \mathrm{Si}(x) = \int_0^x \frac{\sin t}{t}\,dt
 //! ```
 //!
-//! VWH18 Eq. 28; DLMF 6.2.9. Its derivative is [`sinc`](super::sinc).
+//! VWH18 Eq. 28; DLMF 6.2.9. Its derivative is [`sinc`](super::sinc()).
 //!
 //! # Domain
 //!
@@ -23,26 +23,29 @@
 //!
 //! | method | what it is | precision | largest error | promise | time / baseline |
 //! |---|---|---|---|---|---|
-//! | `accurate` | iridescence f64 | f64 | 22 ulp | 0.75 ulp | 0.38 (cephes) |
-//! | `vwh18` | VWH18 Eq. 29 | f64 | 0.051 abs. | 0.051 abs. | 0.97 (cephes) |
-//! | `accurate`, slice | iridescence f64 slices | f64 | 22 ulp | 0.75 ulp | 0.17 (cephes) |
-//! | `accurate` | iridescence f32 | f32 | 0.50 ulp | 2 ulp | 0.42 (vwh18) |
-//! | `medium` | iridescence f32 1e-5 tier | f32 | 6.0e-8 abs. | 1e-5 abs. | 0.39 (vwh18) |
-//! | `coarse` | iridescence f32 4e-4 tier | f32 | 6.0e-8 abs. | 4e-4 abs. | 0.37 (vwh18) |
+//! | `accurate` | iridescence f64 | f64 | 0.70 ulp | 0.75 ulp | 0.34 (cephes) |
+//! | `vwh18` | VWH18 Eq. 29 | f64 | 0.051 abs. | 0.051 abs. | 0.98 (cephes) |
+//! | `accurate`, slice | iridescence f64 slices | f64 | 0.70 ulp | 0.75 ulp | 0.18 (cephes) |
+//! | `accurate` | iridescence f32 | f32 | 1.9 ulp | 2 ulp | 0.72 (vwh18) |
+//! | `medium` | iridescence f32 1e-5 tier | f32 | 7.0e-6 abs. | 1e-5 abs. | 0.56 (vwh18) |
+//! | `coarse` | iridescence f32 4e-4 tier | f32 | 3.5e-4 abs. | 4e-4 abs. | 0.44 (vwh18) |
 //! | `vwh18` | VWH18 Eq. 29 f32 | f32 | 0.051 abs. | 0.051 abs. | 1.00 (vwh18) |
-//! | `accurate`, slice | iridescence f32 slices | f32 | 0.50 ulp | 2 ulp | 1.00 (accurate) |
+//! | `accurate`, slice | iridescence f32 slices | f32 | 1.9 ulp | 2 ulp | 0.83 (vwh18) |
+//! | `medium`, slice | iridescence f32 1e-5 slices | f32 | 7.0e-6 abs. | 1e-5 abs. | 0.65 (vwh18) |
+//! | `coarse`, slice | iridescence f32 4e-4 slices | f32 | 3.5e-4 abs. | 4e-4 abs. | 0.57 (vwh18) |
+//! | `vwh18`, slice | VWH18 Eq. 29 f32 slices | f32 | 0.051 abs. | 0.051 abs. | 1.00 (vwh18) |
 //!
 //! <!-- report:end sine_integral -->
 //!
 //! # Where it fails
 //!
-//! [`sine_integral`]: nowhere known. [`sine_integral_vwh18`] is not monotone where Si is: used inside VWH18 Eq. 27 it
-//! makes the light of a source away from the specular direction negative; see
+//! [`sine_integral`]: nowhere known. The error of [`sine_integral_vwh18`] does not cancel in a difference: used inside
+//! VWH18 Eq. 27 it makes the light of some sources away from the specular direction negative; see
 //! [`sinc_squared_integral_vwh18`](super::sinc_squared_integral_vwh18).
 //!
 //! # Errata
 //!
-//! Eq. 29 is printed right. Its tail keeps a bias of (1 - a0)/x.
+//! None: Eq. 29 is printed right. Far out the fit exceeds Si by (1 - a0)/x on average.
 
 use super::cells::{HALF_PI, auxiliary, cell};
 use super::tables::{SI, TAIL};
@@ -57,7 +60,7 @@ const INFINITE: f64 = 18014398509481984.0;
 ///
 /// ```
 /// let si = iridescence::special::sine_integral(core::f64::consts::PI);
-/// assert_eq!(si, 1.851937051982466); // the Wilbraham-Gibbs constant
+/// assert_eq!(si, 1.8519370519824663); // the Wilbraham-Gibbs constant
 /// ```
 #[doc(alias = "Si")]
 #[must_use]
@@ -122,7 +125,7 @@ fn far(x: f64) -> f64 {
 ///
 /// A sigmoid, a decaying bump and a decaying oscillation. Any f64; ±inf gives NaN, as does NaN (the cosine has no
 /// limit there). For its errors see the table above; do not difference it, use
-/// [`sinc_squared_integral`](super::sinc_squared_integral).
+/// [`sinc_squared_integral`](super::sinc_squared_integral()).
 #[must_use]
 pub fn sine_integral_vwh18(x: f64) -> f64 {
     /// VWH18, below Eq. 29.

@@ -17,7 +17,7 @@ pub(super) const WIDTH: f64 = 0.375;
 pub(super) const LINEAR_ROWS: u64 = 4;
 
 /// Where the tail takes over from the cells.
-pub(crate) const TAIL: f64 = 47.75;
+pub(super) const TAIL: f64 = 47.75;
 
 /// The least argument for which the tail's polynomials are fitted.
 pub(super) const TAIL_LOW: f64 = 40.0;

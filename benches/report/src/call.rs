@@ -11,6 +11,7 @@ pub fn one_row(call: &Call, row: &[f64]) -> f64 {
         Call::F64Pair(f) => f([row[0], row[1]]),
         Call::F32(f) => f64::from(f(single(0))),
         Call::F32Pair(f) => f64::from(f(single(0), single(1))),
+        Call::F32Triple(f) => f64::from(f(single(0), single(1), single(2))),
         Call::F64Slice(f) => through(f, [row[0]]),
         Call::F64PairSlice(f) => through(f, [[row[0], row[1]]]),
         Call::F32Slice(f) => f64::from(through(f, [single(0)])),

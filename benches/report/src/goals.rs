@@ -159,7 +159,7 @@ pub fn on_front<'a>(entries: &'a [Entry], function: &str, scalar_only: bool) -> 
         .iter()
         .filter(|e| e.function == function && e.ns > 0.0 && (!scalar_only || e.call == "scalar"))
         .collect();
-    let points: Vec<[f64; 2]> = rows.iter().map(|e| [e.ns, e.max_rel]).collect();
+    let points: Vec<[f64; 2]> = rows.iter().map(|e| [e.ns, e.charted()]).collect();
     front(&points).into_iter().map(|i| rows[i]).collect()
 }
 

@@ -22,7 +22,7 @@ pub fn origin(o: Origin) -> &'static str {
 /// `scalar` or `slice`.
 pub fn call(c: &Call) -> &'static str {
     match c {
-        Call::F64(_) | Call::F64Pair(_) | Call::F32(_) | Call::F32Pair(_) => "scalar",
+        Call::F64(_) | Call::F64Pair(_) | Call::F32(_) | Call::F32Pair(_) | Call::F32Triple(_) => "scalar",
         Call::F64Slice(_) | Call::F64PairSlice(_) | Call::F32Slice(_) | Call::F32PairSlice(_) => "slice",
     }
 }

@@ -28,7 +28,7 @@ pub fn text(entries: &[Entry]) -> String {
         for (scalar_only, what) in [(false, "front of error against time"), (true, "front of scalar calls")] {
             let front: Vec<String> = on_front(entries, function, scalar_only)
                 .iter()
-                .map(|e| format!("{} {} ns {}", title(e), short(e.ns), short(e.max_rel)))
+                .map(|e| format!("{} {} ns {}", title(e), short(e.ns), short(e.charted())))
                 .collect();
             let _ = writeln!(out, "  {what}: {}", front.join("; "));
         }

@@ -18,6 +18,7 @@ enum Work {
     F64Pair(fn([f64; 2]) -> f64, Vec<[f64; 2]>, Vec<f64>),
     F32(fn(f32) -> f32, Vec<f32>, Vec<f32>),
     F32Pair(fn(f32, f32) -> f32, Vec<[f32; 2]>, Vec<f32>),
+    F32Triple(fn(f32, f32, f32) -> f32, Vec<[f32; 3]>, Vec<f32>),
     F64Slice(fn(&[f64], &mut [f64]), Vec<f64>, Vec<f64>),
     F64PairSlice(fn(&[[f64; 2]], &mut [f64]), Vec<[f64; 2]>, Vec<f64>),
     F32Slice(fn(&[f32], &mut [f32]), Vec<f32>, Vec<f32>),
@@ -39,6 +40,7 @@ impl Work {
             Call::F64Pair(f) => Self::F64Pair(f, pairs(), wide),
             Call::F32(f) => Self::F32(f, single(), narrow),
             Call::F32Pair(f) => Self::F32Pair(f, single_pairs(), narrow),
+            Call::F32Triple(f) => Self::F32Triple(f, single().as_chunks::<3>().0.to_vec(), narrow),
             Call::F64Slice(f) => Self::F64Slice(f, rows.to_vec(), wide),
             Call::F64PairSlice(f) => Self::F64PairSlice(f, pairs(), wide),
             Call::F32Slice(f) => Self::F32Slice(f, single(), narrow),
@@ -64,6 +66,10 @@ impl Work {
             Self::F32Pair(f, x, o) => {
                 let f = black_box(*f);
                 each(&x[block.clone()], &mut o[block], |[a, b]| f(a, b));
+            }
+            Self::F32Triple(f, x, o) => {
+                let f = black_box(*f);
+                each(&x[block.clone()], &mut o[block], |[a, b, c]| f(a, b, c));
             }
             Self::F64Slice(f, x, o) => whole(&x[block.clone()], &mut o[block], *f),
             Self::F64PairSlice(f, x, o) => whole(&x[block.clone()], &mut o[block], *f),

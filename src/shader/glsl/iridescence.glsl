@@ -138,7 +138,6 @@ const float LOG_TWO_E = 1.442695;
 const float LN_TWO_HIGH = 0.6933594;
 const float LN_TWO_LOW = -0.00021219444;
 const float HALF_PI = 1.5707964;
-const float HALF_PI_EXCESS = 4.371139e-8;
 const float SQUARE_LIMIT = 16777216.0;
 const float VELINOV_BUMP = 0.6614274;
 const float VELINOV_OFFSET = 0.3827229;
@@ -154,12 +153,17 @@ const float GAUSS_THREE = 0.7745967;
 const float GAUSS_THREE_MIDDLE_WEIGHT = 0.8888889;
 const float GAUSS_THREE_OUTER_WEIGHT = 0.5555556;
 
+// Returns the value of an odd function at x from its `value` at |x|, the sign of a zero included.
+float odd_continuation(float x, float value) {
+    return uintBitsToFloat((floatBitsToUint(value) ^ (floatBitsToUint(x) & 2147483648u)));
+}
+
 // Returns x reduced by half turns, for x in radians.
 //
 // The error of the rest is at most 1e-7 for |x| to 1e4, and 2^-24 |x| beyond.
-HalfTurns reduce_half_turns(float x) {
-    float n = roundEven((x * INVERSE_PI));
-    float rest_2 = ((x - (n * PI_HIGH)) - (n * PI_LOW));
+HalfTurns reduce_half_turns(float x_1) {
+    float n = roundEven((x_1 * INVERSE_PI));
+    float rest_2 = ((x_1 - (n * PI_HIGH)) - (n * PI_LOW));
     float pairs = (n * 0.5);
     float parity = (1.0 - (4.0 * abs((pairs - roundEven(pairs)))));
     return HalfTurns(rest_2, parity);
@@ -190,17 +194,17 @@ SineCosine sine_cosine_near_coarse(float r_2) {
     return SineCosine((r_2 + (r_2 * (u_2 * s_3))), (1.0 - (u_2 * (0.5 - (u_2 * c_2)))));
 }
 
-// Returns the sine and cosine of x in radians, to 2e-7 for |x| to 1e4.
-SineCosine sine_cosine(float x_1) {
-    HalfTurns _e1 = reduce_half_turns(x_1);
+// Returns the sine and cosine of x in radians, to 2.5e-7 for |x| to 1e4.
+SineCosine sine_cosine(float x_2) {
+    HalfTurns _e1 = reduce_half_turns(x_2);
     SineCosine _e3 = sine_cosine_near(_e1.rest);
     return SineCosine((_e1.parity * _e3.sine), (_e1.parity * _e3.cosine));
 }
 
 // Returns the sine and cosine of a whole number of turns and a part: of 2 pi `turns`.
 //
-// Exact reduction for any f32: a caller that knows its phase in turns loses nothing to the size of
-// the phase.
+// Exact reduction for |turns| to 1.7e38: a caller that knows its phase in turns loses nothing to
+// the size of the phase.
 SineCosine sine_cosine_turns(float turns) {
     float whole = roundEven((turns + turns));
     float pairs_1 = (whole * 0.5);
@@ -214,23 +218,23 @@ SineCosine sine_cosine_turns(float turns) {
 // Below, the result falls to 0 by way of subnormal numbers, which a GPU may flush; above 88.7 it
 // stays at the largest
 // power that f32 holds.
-float exponential(float x_2) {
-    float bounded = min(max(x_2, -104.0), 88.7);
+float exponential(float x_3) {
+    float bounded = min(max(x_3, -104.0), 88.7);
     float n_1 = roundEven((bounded * LOG_TWO_E));
     float r_3 = ((bounded - (n_1 * LN_TWO_HIGH)) - (n_1 * LN_TWO_LOW));
     float e = (EXPONENTIAL_A + (r_3 * (EXPONENTIAL_B + (r_3 * (EXPONENTIAL_C + (r_3 * (EXPONENTIAL_D + (r_3 * EXPONENTIAL_E))))))));
-    float value = (1.0 + (r_3 + (r_3 * (r_3 * e))));
+    float value_1 = (1.0 + (r_3 * (1.0 + (r_3 * e))));
     float halved_1 = roundEven((n_1 * 0.5));
     float first_6 = uintBitsToFloat((floatBitsToUint((halved_1 + EXPONENT_BIAS)) << 23u));
     float second = uintBitsToFloat((floatBitsToUint(((n_1 - halved_1) + EXPONENT_BIAS)) << 23u));
-    return ((value * first_6) * second);
+    return ((value_1 * first_6) * second);
 }
 
 // Returns Si(x), the integral of sin t / t from 0 to x (radians), to f32 grade.
 //
 // Any x; odd. VWH18 Eq. 28.
-float sine_integral(float x_3) {
-    float y_1 = abs(x_3);
+float sine_integral(float x_4) {
+    float y_1 = abs(x_4);
     float u_3 = (y_1 * y_1);
     float q_8 = (SI_HEAD_A + (u_3 * (SI_HEAD_B + (u_3 * (SI_HEAD_C + (u_3 * (SI_HEAD_D + (u_3 * (SI_HEAD_E + (u_3 * SI_HEAD_F))))))))));
     float head = (y_1 + (y_1 * (u_3 * q_8)));
@@ -242,15 +246,16 @@ float sine_integral(float x_3) {
     float d = ((s_4 * ((s_4 * ((s_4 * (s_4 + SI_D_A)) + SI_D_B)) + SI_D_C)) + SI_D_D);
     float m_1 = ((s_4 * ((s_4 * (s_4 + SI_G_A)) + SI_G_B)) + SI_G_C);
     float wave = (((_e26.cosine * n_2) + ((_e26.sine * bounded_1) * m_1)) / (bounded_1 * d));
-    float tail = (HALF_PI - ((_e24.parity * wave) + HALF_PI_EXCESS));
-    float value_1 = ((y_1 < SI_BORDER) ? head : tail);
-    float finite = ((y_1 >= PHASE_LIMIT) ? HALF_PI : value_1);
-    return ((x_3 < 0.0) ? -(finite) : finite);
+    float tail = (HALF_PI - (_e24.parity * wave));
+    float value_2 = ((y_1 < SI_BORDER) ? head : tail);
+    float finite = ((y_1 >= PHASE_LIMIT) ? HALF_PI : value_2);
+    float _e78 = odd_continuation(x_4, finite);
+    return _e78;
 }
 
 // Returns Si(x) to 1e-5 absolute. Any x; odd. VWH18 Eq. 28.
-float sine_integral_medium(float x_4) {
-    float y_2 = abs(x_4);
+float sine_integral_medium(float x_5) {
+    float y_2 = abs(x_5);
     float u_4 = (y_2 * y_2);
     float q_9 = (SI_MEDIUM_HEAD_A + (u_4 * (SI_MEDIUM_HEAD_B + (u_4 * (SI_MEDIUM_HEAD_C + (u_4 * (SI_MEDIUM_HEAD_D + (u_4 * SI_MEDIUM_HEAD_E))))))));
     float head_1 = (y_2 + (y_2 * (u_4 * q_9)));
@@ -263,13 +268,14 @@ float sine_integral_medium(float x_4) {
     float m_2 = (s_5 + SI_MEDIUM_G_A);
     float wave_1 = (((_e23.cosine * n_3) + ((_e23.sine * bounded_2) * m_2)) / (bounded_2 * d_1));
     float tail_1 = (HALF_PI - (_e21.parity * wave_1));
-    float value_2 = ((y_2 < SI_MEDIUM_BORDER) ? head_1 : tail_1);
-    return ((x_4 < 0.0) ? -(value_2) : value_2);
+    float value_3 = ((y_2 < SI_MEDIUM_BORDER) ? head_1 : tail_1);
+    float _e53 = odd_continuation(x_5, value_3);
+    return _e53;
 }
 
 // Returns Si(x) to 4e-4 absolute. Any x; odd. VWH18 Eq. 28.
-float sine_integral_coarse(float x_5) {
-    float y_3 = abs(x_5);
+float sine_integral_coarse(float x_6) {
+    float y_3 = abs(x_6);
     float u_5 = (y_3 * y_3);
     float q_10 = (SI_COARSE_HEAD_A + (u_5 * (SI_COARSE_HEAD_B + (u_5 * (SI_COARSE_HEAD_C + (u_5 * SI_COARSE_HEAD_D))))));
     float head_2 = (y_3 + (y_3 * (u_5 * q_10)));
@@ -279,29 +285,38 @@ float sine_integral_coarse(float x_5) {
     float s_6 = min(u_5, SQUARE_LIMIT);
     float wave_2 = (((_e20.cosine * (s_6 + SI_COARSE_F_A)) + (_e20.sine * bounded_3)) / (bounded_3 * (s_6 + SI_COARSE_D_A)));
     float tail_2 = (HALF_PI - (_e18.parity * wave_2));
-    float value_3 = ((y_3 < SI_COARSE_BORDER) ? head_2 : tail_2);
-    return ((x_5 < 0.0) ? -(value_3) : value_3);
+    float value_4 = ((y_3 < SI_COARSE_BORDER) ? head_2 : tail_2);
+    float _e41 = odd_continuation(x_6, value_4);
+    return _e41;
 }
 
 // Returns Si(x) by the fit that VWH18 publishes, Eq. 29, to 0.051 absolute.
 //
 // Kept to compare with: its differences have the wrong sign over a quarter of the axis.
-float sine_integral_velinov(float x_6) {
-    float y_4 = abs(x_6);
+float sine_integral_velinov(float x_7) {
+    float y_4 = abs(x_7);
     SineCosine _e4 = sine_cosine(min(y_4, PHASE_LIMIT));
     float _e11 = exponential((2.0 * min(y_4, 20.0)));
     float sigmoid = (1.0 - (2.0 / (_e11 + 1.0)));
     float offset = (y_4 - VELINOV_OFFSET);
-    float value_4 = (((HALF_PI * sigmoid) - ((VELINOV_BUMP * y_4) / (1.0 + (offset * offset)))) + ((1.0 - _e4.cosine) / (1.0 + y_4)));
-    return ((x_6 < 0.0) ? -(value_4) : value_4);
+    float value_5 = (((HALF_PI * sigmoid) - ((VELINOV_BUMP * y_4) / (1.0 + (offset * offset)))) + ((1.0 - _e4.cosine) / (1.0 + y_4)));
+    float _e34 = odd_continuation(x_7, value_5);
+    return _e34;
 }
 
 // Returns the ends of the arc from q0 to q1.
 ArcEnds arc_ends(float first, float last) {
+    bool local = false;
     float a = abs(first);
     float b = abs(last);
     bool swap = (b < a);
-    return ArcEnds((swap ? b : a), (swap ? a : b), ((first < 0.0) != (last < 0.0)));
+    if ((min(first, last) < 0.0)) {
+        local = (max(first, last) > 0.0);
+    } else {
+        local = false;
+    }
+    bool _e16 = local;
+    return ArcEnds((swap ? b : a), (swap ? a : b), _e16);
 }
 
 // Returns the two nodes m - s and m + s of the Gauss sum, sin^2 t / t^2 each, added.
@@ -335,8 +350,8 @@ float arc_join(ArcEnds ends, float extent, float border, float near_line, float 
     float tails = (lead + (near_wave - far_wave));
     float between = ((ends.near >= border) ? tails : (far_value - near_value));
     float one_sided = ((extent < ARC_SHORT) ? gauss_sum : between);
-    float value_5 = (ends.straddles ? (far_value + near_value) : one_sided);
-    return ((value_5 < 0.0) ? 0.0 : value_5);
+    float value_6 = (ends.straddles ? (far_value + near_value) : one_sided);
+    return ((value_6 < 0.0) ? 0.0 : value_6);
 }
 
 // Returns H(2q) for q below the border, to f32 grade.
@@ -407,12 +422,13 @@ float sinc_squared_integral(float first_1, float last_1) {
 // and |y| <= 2.
 //
 // Both factors are cut so that the product of their leading parts fits 24 bits.
-float product_fraction(float x_7, float y) {
-    float x_high = (floor((x_7 * 16.0)) * 0.0625);
+float product_fraction(float x_8, float y) {
+    float x_high = (floor((x_8 * 16.0)) * 0.0625);
     float y_high = (floor((y * 2048.0)) * 0.00048828125);
     float product = (x_high * y_high);
-    float rest_3 = ((x_high * (y - y_high)) + ((x_7 - x_high) * y));
-    float fraction = ((product - roundEven(product)) + rest_3);
+    float rest_3 = ((x_high * (y - y_high)) + ((x_8 - x_high) * y));
+    float leading = min((product - roundEven(product)), 0.5);
+    float fraction = (leading + min(rest_3, 0.5));
     return (fraction - roundEven(fraction));
 }
 
@@ -455,7 +471,7 @@ float arc_wave_medium(float q_4, SineCosine phase_1) {
     return (((double_sine_1 * (w_1 * m_5)) - (double_cosine_1 * (v_2 * k_1))) / d_3);
 }
 
-// Returns the arc of [`sinc_squared_integral`] to about 1e-5 of its value.
+// Returns the arc of [`sinc_squared_integral`] to 5e-6 absolute.
 float sinc_squared_integral_medium(float first_3, float last_3) {
     ArcEnds _e2 = arc_ends(first_3, last_3);
     float extent_3 = (_e2.far - _e2.near);
@@ -503,7 +519,7 @@ float arc_wave_coarse(float q_6, SineCosine phase_2) {
     return (((double_sine_2 * (w_2 * m_7)) - (double_cosine_2 * (v_3 * k_2))) / d_4);
 }
 
-// Returns the arc of [`sinc_squared_integral`] to about 4e-4 of its value.
+// Returns the arc of [`sinc_squared_integral`] to 4e-4 absolute.
 float sinc_squared_integral_coarse(float first_4, float last_4) {
     ArcEnds _e2 = arc_ends(first_4, last_4);
     float extent_4 = (_e2.far - _e2.near);
@@ -521,7 +537,7 @@ float sinc_squared_integral_coarse(float first_4, float last_4) {
     SineCosine _e31 = sine_cosine_near_coarse(outer_2);
     float _e32 = arc_node_pair(_e28, _e31, m_8, outer_2);
     float centre = (_e28.sine / m_8);
-    float gauss_sum_2 = (halved_4 * ((GAUSS_THREE_OUTER_WEIGHT * _e32) + (GAUSS_THREE_MIDDLE_WEIGHT * (centre * centre))));
+    float gauss_sum_2 = (halved_4 * ((GAUSS_THREE_OUTER_WEIGHT * _e32) + ((GAUSS_THREE_MIDDLE_WEIGHT * centre) * centre)));
     float _e44 = arc_head_coarse(_e2.near);
     float _e46 = arc_head_coarse(_e2.far);
     float _e47 = arc_join(_e2, extent_4, ARC_COARSE_BORDER, _e44, _e46, _e17, _e21, gauss_sum_2);

@@ -194,6 +194,11 @@ struct HalfTurns {
     parity: f32,
 }
 
+// Returns the value of an odd function at x from its `value` at |x|, the sign of a zero included.
+fn odd_continuation(x: f32, value: f32) -> f32 {
+    return bitcast<f32>(bitcast<u32>(value) ^ (bitcast<u32>(x) & 0x80000000u));
+}
+
 // Returns x reduced by half turns, for x in radians.
 //
 // The error of the rest is at most 1e-7 for |x| to 1e4, and 2^-24 |x| beyond.
@@ -230,7 +235,7 @@ fn sine_cosine_near_coarse(r: f32) -> SineCosine {
     return SineCosine(r + r * (u * s), 1.0f - u * (0.5f - u * c));
 }
 
-// Returns the sine and cosine of x in radians, to 2e-7 for |x| to 1e4.
+// Returns the sine and cosine of x in radians, to 2.5e-7 for |x| to 1e4.
 fn sine_cosine(x: f32) -> SineCosine {
     let turns = reduce_half_turns(x);
     let near = sine_cosine_near(turns.rest);
@@ -239,8 +244,8 @@ fn sine_cosine(x: f32) -> SineCosine {
 
 // Returns the sine and cosine of a whole number of turns and a part: of 2 pi `turns`.
 //
-// Exact reduction for any f32: a caller that knows its phase in turns loses nothing to the size of
-// the phase.
+// Exact reduction for |turns| to 1.7e38: a caller that knows its phase in turns loses nothing to
+// the size of the phase.
 fn sine_cosine_turns(turns: f32) -> SineCosine {
     let whole = round(turns + turns);
     let pairs = whole * 0.5f;
@@ -260,7 +265,7 @@ fn exponential(x: f32) -> f32 {
     let r = (bounded - n * LN_TWO_HIGH) - n * LN_TWO_LOW;
     let e = EXPONENTIAL_A + r * (EXPONENTIAL_B + r * (EXPONENTIAL_C + r * (EXPONENTIAL_D + r *
         EXPONENTIAL_E)));
-    let value = 1.0f + (r + r * (r * e));
+    let value = 1.0f + r * (1.0f + r * e);
     let halved = round(n * 0.5f);
     let first = bitcast<f32>(bitcast<u32>(halved + EXPONENT_BIAS) << 23u);
     let second = bitcast<f32>(bitcast<u32>((n - halved) + EXPONENT_BIAS) << 23u);
@@ -273,8 +278,6 @@ fn exponential(x: f32) -> f32 {
 
 // pi/2 as an f32.
 const HALF_PI: f32 = 1.5707964f;
-// What [`HALF_PI`] has too much.
-const HALF_PI_EXCESS: f32 = 4.371139e-8f;
 // Squares beyond this change nothing in the ratio of two polynomials.
 const SQUARE_LIMIT: f32 = 16777216.0f;
 
@@ -295,10 +298,10 @@ fn sine_integral(x: f32) -> f32 {
     let d = s * (s * (s * (s + SI_D_A) + SI_D_B) + SI_D_C) + SI_D_D;
     let m = s * (s * (s + SI_G_A) + SI_G_B) + SI_G_C;
     let wave = (near.cosine * n + (near.sine * bounded) * m) / (bounded * d);
-    let tail = HALF_PI - (turns.parity * wave + HALF_PI_EXCESS);
+    let tail = HALF_PI - turns.parity * wave;
     let value = select(tail, head, y < SI_BORDER);
     let finite = select(value, HALF_PI, y >= PHASE_LIMIT);
-    return select(finite, -finite, x < 0.0f);
+    return odd_continuation(x, finite);
 }
 
 // Returns Si(x) to 1e-5 absolute. Any x; odd. VWH18 Eq. 28.
@@ -318,7 +321,7 @@ fn sine_integral_medium(x: f32) -> f32 {
     let wave = (near.cosine * n + (near.sine * bounded) * m) / (bounded * d);
     let tail = HALF_PI - turns.parity * wave;
     let value = select(tail, head, y < SI_MEDIUM_BORDER);
-    return select(value, -value, x < 0.0f);
+    return odd_continuation(x, value);
 }
 
 // Returns Si(x) to 4e-4 absolute. Any x; odd. VWH18 Eq. 28.
@@ -336,7 +339,7 @@ fn sine_integral_coarse(x: f32) -> f32 {
         SI_COARSE_D_A));
     let tail = HALF_PI - turns.parity * wave;
     let value = select(tail, head, y < SI_COARSE_BORDER);
-    return select(value, -value, x < 0.0f);
+    return odd_continuation(x, value);
 }
 // VWH18, below Eq. 29.
 const VELINOV_BUMP: f32 = 0.66142739f;
@@ -352,7 +355,7 @@ fn sine_integral_velinov(x: f32) -> f32 {
     let offset = y - VELINOV_OFFSET;
     let value = HALF_PI * sigmoid - (VELINOV_BUMP * y) / (1.0f + offset * offset) + (1.0f -
         wave.cosine) / (1.0f + y);
-    return select(value, -value, x < 0.0f);
+    return odd_continuation(x, value);
 }
 
 // ---- sinc_squared_integral ----
@@ -397,7 +400,8 @@ fn arc_ends(first: f32, last: f32) -> ArcEnds {
     let a = abs(first);
     let b = abs(last);
     let swap = b < a;
-    return ArcEnds(select(a, b, swap), select(b, a, swap), (first < 0.0f) != (last < 0.0f));
+    return ArcEnds(select(a, b, swap), select(b, a, swap), min(first, last) < 0.0f && max(first,
+        last) > 0.0f);
 }
 
 // Returns the two nodes m - s and m + s of the Gauss sum, sin^2 t / t^2 each, added.
@@ -504,7 +508,8 @@ fn product_fraction(x: f32, y: f32) -> f32 {
     let y_high = floor(y * 2048.0f) * 0.00048828125f;
     let product = x_high * y_high;
     let rest = x_high * (y - y_high) + (x - x_high) * y;
-    let fraction = (product - round(product)) + rest;
+    let leading = min(product - round(product), 0.5f);
+    let fraction = leading + min(rest, 0.5f);
     return fraction - round(fraction);
 }
 
@@ -547,7 +552,7 @@ fn arc_wave_medium(q: f32, phase: SineCosine) -> f32 {
     return (double_sine * (w * m) - double_cosine * (v * k)) / d;
 }
 
-// Returns the arc of [`sinc_squared_integral`] to about 1e-5 of its value.
+// Returns the arc of [`sinc_squared_integral`] to 5e-6 absolute.
 fn sinc_squared_integral_medium(first: f32, last: f32) -> f32 {
     let ends = arc_ends(first, last);
     let extent = ends.far - ends.near;
@@ -590,7 +595,7 @@ fn arc_wave_coarse(q: f32, phase: SineCosine) -> f32 {
     return (double_sine * (w * m) - double_cosine * (v * k)) / d;
 }
 
-// Returns the arc of [`sinc_squared_integral`] to about 4e-4 of its value.
+// Returns the arc of [`sinc_squared_integral`] to 4e-4 absolute.
 fn sinc_squared_integral_coarse(first: f32, last: f32) -> f32 {
     let ends = arc_ends(first, last);
     let extent = ends.far - ends.near;
@@ -604,8 +609,8 @@ fn sinc_squared_integral_coarse(first: f32, last: f32) -> f32 {
     let outer = halved * GAUSS_THREE;
     let pair = arc_node_pair(middle, sine_cosine_near_coarse(outer), m, outer);
     let centre = middle.sine / m;
-    let gauss_sum = halved * (GAUSS_THREE_OUTER_WEIGHT * pair + GAUSS_THREE_MIDDLE_WEIGHT * (centre
-        * centre));
+    let gauss_sum = halved * (GAUSS_THREE_OUTER_WEIGHT * pair + (GAUSS_THREE_MIDDLE_WEIGHT * centre)
+        * centre);
     let value = arc_join(ends, extent, ARC_COARSE_BORDER, arc_head_coarse(ends.near),
         arc_head_coarse(ends.far), near_wave, far_wave, gauss_sum);
     let signed = select(value, -value, last < first);

@@ -41,6 +41,28 @@ pub const CATALOGUE: &[Entry] = &[
     plain("sinc_squared_integral_velinov", 2, |q, y| {
         y[0] = shader::sinc_squared_integral_velinov(q[0], q[1])
     }),
+    plain("sinc_squared_integral_turns", 3, |x, y| {
+        y[0] = shader::sinc_squared_integral_turns(x[0], x[1], x[2])
+    }),
+    plain("exponential", 1, |x, y| y[0] = shader::exponential(x[0])),
+    Entry {
+        name: "sine_cosine",
+        arguments: 1,
+        fields: &["sine", "cosine"],
+        call: |x, y| {
+            let both = shader::sine_cosine(x[0]);
+            y.copy_from_slice(&[both.sine, both.cosine]);
+        },
+    },
+    Entry {
+        name: "sine_cosine_turns",
+        arguments: 1,
+        fields: &["sine", "cosine"],
+        call: |x, y| {
+            let both = shader::sine_cosine_turns(x[0]);
+            y.copy_from_slice(&[both.sine, both.cosine]);
+        },
+    },
 ];
 
 /// A function with a plain f32 result.

@@ -80,11 +80,34 @@ pub fn pairs() -> Vec<f32> {
         .collect()
 }
 
+/// A number between -2 and 2.
+fn between(i: usize, stream: u64) -> f32 {
+    (4.0 * fraction(i, stream) - 2.0) as f32
+}
+
+/// Rows of W/lambda and two direction cosines: wide and narrow intervals, either order, either sign, equal ends.
+fn scratches() -> Vec<f32> {
+    (0..ROWS)
+        .flat_map(|i| {
+            let width = logarithmic(i, 20, 0.1, 256.0).abs();
+            let first = between(i, 21);
+            let last = match i % 4 {
+                0 => between(i, 22),
+                1 => first + logarithmic(i, 23, 1e-7, 1e-2),
+                2 => -first,
+                _ => (first + logarithmic(i, 24, 1e-4, 1.0)).clamp(-2.0, 2.0),
+            };
+            [width, first, last]
+        })
+        .collect()
+}
+
 /// Rows for a function of `arguments` arguments.
 pub fn rows(arguments: usize) -> Vec<f32> {
     match arguments {
         1 => single(),
         2 => pairs(),
+        3 => scratches(),
         n => (0..ROWS * n)
             .map(|i| logarithmic(i / n, 8 + (i % n) as u64, 1e-3, 1e3))
             .collect(),

@@ -173,6 +173,29 @@ fn a_changed_coefficient_is_seen_on_the_device() {
     assert!(failures > 0, "a changed coefficient went unseen");
 }
 
+/// Whether the `n`-th long float literal is a limit, whose place is free by design.
+fn is_limit(wgsl: &str, n: usize) -> bool {
+    let changed = changed(wgsl, n).unwrap_or_default();
+    wgsl.lines()
+        .zip(changed.lines())
+        .any(|(a, b)| a != b && a.contains("_LIMIT: f32"))
+}
+
+/// Whether a text gives other bits than Rust on every `step`-th row of some function.
+fn differs(program: &Program, step: usize) -> bool {
+    CATALOGUE.iter().any(|entry| {
+        let rows = thinned(&inputs::rows(entry.arguments), entry.arguments, step);
+        rows.chunks_exact(entry.arguments)
+            .zip(entry.run(&rows).chunks_exact(entry.fields.len().max(1)))
+            .any(|(row, ours)| {
+                let trace = program.evaluate(entry.name, row).unwrap_or_else(|e| panic!("{e}"));
+                ours.iter()
+                    .zip(&trace.results)
+                    .any(|(a, b)| !a.is_nan() && a.to_bits() != b.value.to_bits())
+            })
+    })
+}
+
 /// So the comparison of bits above sees each of them.
 #[test]
 fn every_changed_coefficient_changes_the_text_evaluated() {
@@ -180,17 +203,7 @@ fn every_changed_coefficient_changes_the_text_evaluated() {
     let mut tried = 0;
     while let Some(text) = changed(WGSL, tried) {
         let program = Program::parse(&text).unwrap_or_else(|e| panic!("{e}"));
-        let seen = CATALOGUE.iter().any(|entry| {
-            let rows = thinned(&inputs::rows(entry.arguments), entry.arguments, 701);
-            rows.chunks_exact(entry.arguments)
-                .zip(entry.run(&rows).chunks_exact(entry.fields.len().max(1)))
-                .any(|(row, ours)| {
-                    let trace = program.evaluate(entry.name, row).unwrap_or_else(|e| panic!("{e}"));
-                    ours.iter()
-                        .zip(&trace.results)
-                        .any(|(a, b)| !a.is_nan() && a.to_bits() != b.value.to_bits())
-                })
-        });
+        let seen = is_limit(WGSL, tried) || differs(&program, 701) || differs(&program, 37);
         if !seen {
             unseen.push(tried);
         }

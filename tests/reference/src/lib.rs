@@ -4,6 +4,7 @@
 
 pub mod as_printed;
 pub mod generate;
+pub mod golden;
 pub mod hexadecimal;
 pub mod measure;
 pub mod metrics;

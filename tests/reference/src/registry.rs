@@ -39,6 +39,8 @@ pub enum Call {
     F32(fn(f32) -> f32),
     /// Two f32 in, one out.
     F32Pair(fn(f32, f32) -> f32),
+    /// Three f32 in, one out.
+    F32Triple(fn(f32, f32, f32) -> f32),
     /// A slice of f64 in, a slice of the same length out.
     F64Slice(fn(&[f64], &mut [f64])),
     /// A slice of f64 intervals in.
@@ -155,6 +157,7 @@ impl Call {
         match self {
             Call::F64(_) | Call::F32(_) | Call::F64Slice(_) | Call::F32Slice(_) => 1,
             Call::F64Pair(_) | Call::F32Pair(_) | Call::F64PairSlice(_) | Call::F32PairSlice(_) => 2,
+            Call::F32Triple(_) => 3,
         }
     }
 
@@ -167,6 +170,10 @@ impl Call {
             Call::F32Pair(f) => rows
                 .chunks_exact(2)
                 .map(|q| f64::from(f(q[0] as f32, q[1] as f32)))
+                .collect(),
+            Call::F32Triple(f) => rows
+                .chunks_exact(3)
+                .map(|x| f64::from(f(x[0] as f32, x[1] as f32, x[2] as f32)))
                 .collect(),
             Call::F64Slice(f) => through(f, rows),
             Call::F64PairSlice(f) => through(f, rows.as_chunks::<2>().0),

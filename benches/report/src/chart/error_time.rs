@@ -7,7 +7,7 @@ use super::marker::{self, Marker};
 use super::palette;
 use super::svg::{Align, Font, Rect, Svg, text_width};
 use crate::front::front;
-use crate::ledger::Entry;
+use crate::ledger::{Entry, charted_error};
 
 const LABEL: Font = Font {
     size: 12.0,
@@ -47,7 +47,7 @@ fn size_text(error: f64) -> String {
     format!("{:.0}\u{00d7}10^{exponent}^", error / power_of_ten(exponent))
 }
 
-/// The chart of one function, or what is missing for it. The error is the largest relative one over each method's domain.
+/// The chart of one function, or what is missing for it. The error is [`Entry::charted`].
 pub fn draw(function: &str, title: &str, entries: &[Entry]) -> Result<String, String> {
     let shown: Vec<&Entry> = entries
         .iter()
@@ -73,7 +73,7 @@ struct Plot {
 
 impl Plot {
     fn new(height: f64, shown: &[&Entry]) -> Self {
-        let overflow = shown.iter().any(|e| e.max_rel > 1.0 || e.max_rel.is_nan());
+        let overflow = shown.iter().any(|e| e.charted() > 1.0 || e.charted().is_nan());
         let strip_height = if overflow { STRIP * height } else { 0.0 };
         let frame = Rect {
             x0: LEFT,
@@ -96,7 +96,7 @@ impl Plot {
         };
         let least = shown
             .iter()
-            .map(|e| e.max_rel)
+            .map(|e| e.charted())
             .filter(|e| *e > 0.0)
             .fold(f64::EPSILON, f64::min);
         let bottom = libm::floor(log(least) - 0.4);
@@ -110,12 +110,12 @@ impl Plot {
 
     /// Place of a point; in the strip, the larger errors stand higher.
     fn at(&self, e: &Entry) -> [f64; 2] {
-        let y = if e.max_rel > 1.0 || e.max_rel.is_nan() {
-            let size = if e.max_rel.is_nan() { f64::MAX } else { e.max_rel };
+        let y = if e.charted() > 1.0 || e.charted().is_nan() {
+            let size = if e.charted().is_nan() { f64::MAX } else { e.charted() };
             let t = (libm::log10(1.0 + libm::log10(size)) / libm::log10(309.0)).clamp(0.0, 1.0);
             self.strip.y1 - 14.0 - t * (self.strip.y1 - self.strip.y0 - 40.0)
         } else {
-            self.y.at(e.max_rel)
+            self.y.at(e.charted())
         };
         [self.x.at(e.ns), y]
     }
@@ -126,7 +126,7 @@ impl Plot {
             .filter(|e| !scalar_only || e.call == "scalar")
             .copied()
             .collect();
-        let points: Vec<[f64; 2]> = candidates.iter().map(|e| [e.ns, e.max_rel]).collect();
+        let points: Vec<[f64; 2]> = candidates.iter().map(|e| [e.ns, e.charted()]).collect();
         let mut line: Vec<[f64; 2]> = Vec::new();
         for i in front(&points) {
             let p = self.at(candidates[i]);
@@ -149,6 +149,7 @@ fn pieces(line: &[[f64; 2]]) -> Vec<Segment> {
 }
 
 fn draw_at(height: f64, title: &str, shown: &[&Entry]) -> Option<String> {
+    let error = charted_error(&shown.first()?.function);
     let plot = Plot::new(height, shown);
     let frame = plot.frame;
     let all = plot.staircase(shown, false);
@@ -170,9 +171,9 @@ fn draw_at(height: f64, title: &str, shown: &[&Entry]) -> Option<String> {
     let names: Vec<String> = shown
         .iter()
         .map(|e| {
-            let over = e.max_rel > 1.0 || e.max_rel.is_nan();
+            let over = e.charted() > 1.0 || e.charted().is_nan();
             if over {
-                format!("{} ({})", point_name(e), size_text(e.max_rel))
+                format!("{} ({})", point_name(e), size_text(e.charted()))
             } else {
                 point_name(e)
             }
@@ -204,8 +205,11 @@ fn draw_at(height: f64, title: &str, shown: &[&Entry]) -> Option<String> {
     let rows = keyed.len().div_ceil(2);
     let mut svg = Svg::new(WIDTH, key_top + 34.0 + KEY_ROW * rows as f64 + 14.0, title);
     svg.text([24.0, 34.0], title, TITLE, Align::Start);
-    let sub = "largest relative error over each method's domain, against time per value; lower left is better";
-    svg.text([24.0, 56.0], sub, SMALL, Align::Start);
+    let sub = format!(
+        "{} over each method's domain, against time per value; lower left is better",
+        error
+    );
+    svg.text([24.0, 56.0], &sub, SMALL, Align::Start);
     if plot.strip.y1 > plot.strip.y0 {
         svg.rect(plot.strip, "#f3e6df", None);
         let middle = 0.5 * (plot.strip.y0 + plot.strip.y1);
@@ -232,7 +236,7 @@ fn draw_at(height: f64, title: &str, shown: &[&Entry]) -> Option<String> {
             y0: plot.strip.y1,
             ..frame
         },
-        "largest relative error",
+        error,
         2,
         1.0,
         true,

@@ -1,4 +1,4 @@
-//! Intervals [q0, q1]: generators with two columns. One row in ten has its ends swapped.
+//! Intervals [q0, q1]: generators with two columns, and with a width before them. One row in ten has its ends swapped.
 
 use super::random::{Random, neighbour, neighbour_f32};
 use super::{Generator, fill, points, worst};
@@ -74,6 +74,14 @@ pub const SCRATCH_F32: Generator = Generator {
     domain: "f32, |q| <= 500 uniform or log-uniform, arc length log-uniform in 1e-6..1e3",
     columns: 2,
     rows: scratch,
+};
+
+/// A width in wavelengths and two direction cosines: t = pi (W/lambda) xi reaches 1600.
+pub const SCRATCH_TURNS_F32: Generator = Generator {
+    name: "scratch_turns_f32",
+    domain: "f32, W/lambda log-uniform in 0.1..256, |xi| <= 2 uniform or log-uniform from 1e-6, or xi1 - xi0 log-uniform in 1e-7..4",
+    columns: 3,
+    rows: scratch_turns,
 };
 
 /// f32 arcs with both ends uniform in [-60, 60]: the inputs of the timings.
@@ -272,5 +280,50 @@ fn scratch(seed: u64, n: usize) -> Vec<f64> {
         let q0 = neighbour_f32(random.signed(q0), 0);
         let q1 = neighbour_f32((q0 + random.log_uniform(1e-6, 1e3)).min(500.0), 0);
         rows.extend(if random.chance(0.1) { [q1, q0] } else { [q0, q1] });
+    })
+}
+
+fn direction_cosine(random: &mut Random) -> f64 {
+    let xi = if random.chance(0.5) {
+        random.uniform(0.0, 2.0)
+    } else {
+        random.log_uniform(1e-6, 2.0)
+    };
+    neighbour_f32(random.signed(xi), 0)
+}
+
+fn scratch_turns(seed: u64, n: usize) -> Vec<f64> {
+    let recorded = worst::recorded(3).into_iter().flatten();
+    let mut rows: Vec<f64> = recorded.collect();
+    for width in [0.1, 0.5, 1.0, 2.5, 31.0, 100.0, 255.0] {
+        let width = neighbour_f32(width, 0);
+        for [xi0, xi1] in [
+            [-2.0, 2.0],
+            [0.0, 2.0],
+            [0.5, 1.0],
+            [1.0, 1.5],
+            [1.5, 2.0],
+            [-1.0, -0.75],
+        ] {
+            rows.extend([width, xi0, xi1]);
+        }
+        for k in 1..8 {
+            let xi = 0.25 * f64::from(k);
+            rows.extend([width, xi, neighbour_f32(xi, 1), width, xi, neighbour_f32(xi, 1000)]);
+        }
+    }
+    fill(seed, n, 3, rows, |random, rows| {
+        let width = neighbour_f32(random.log_uniform(0.1, 255.9), 0);
+        let xi0 = direction_cosine(random);
+        let xi1 = if random.chance(0.5) {
+            direction_cosine(random)
+        } else {
+            neighbour_f32((xi0 + random.log_uniform(1e-7, 4.0)).min(2.0), 0)
+        };
+        rows.extend(if xi1 < xi0 && random.chance(0.8) {
+            [width, xi1, xi0]
+        } else {
+            [width, xi0, xi1]
+        });
     })
 }

@@ -31,6 +31,8 @@ pub fn all() -> &'static [Generator] {
         points::REAL_F32,
         points::UNIFORM_60,
         points::UNIFORM_60_F32,
+        points::ANGLES_F32,
+        points::EXPONENTS_F32,
         points::LOG_UNIFORM,
         points::NEAR_ZEROS,
         points::NEAR_BORDERS,
@@ -44,6 +46,7 @@ pub fn all() -> &'static [Generator] {
         arcs::ARC_STRADDLING,
         arcs::SCRATCH_F32,
         arcs::SCRATCH_UNIFORM_F32,
+        arcs::SCRATCH_TURNS_F32,
     ]
 }
 

@@ -36,6 +36,22 @@ pub const UNIFORM_60_F32: Generator = Generator {
     rows: |seed, n| sampled(seed, n, |r| f64::from(r.uniform(-60.0, 60.0) as f32)),
 };
 
+/// Angles at f32 values to 1e4: the range in which the f32 kernels promise a phase.
+pub const ANGLES_F32: Generator = Generator {
+    name: "angles_f32",
+    domain: "f32 |x| <= 1e4: uniform, log-uniform from 1e-6, within 4 ulp of k pi/2, edges",
+    columns: 1,
+    rows: angles,
+};
+
+/// Exponents at f32 values whose power is a normal f32.
+pub const EXPONENTS_F32: Generator = Generator {
+    name: "exponents_f32",
+    domain: "f32 x in [-87, 88.7]: uniform, log-uniform sizes from 1e-9, within 4 ulp of (k/2) ln 2, edges",
+    columns: 1,
+    rows: exponents,
+};
+
 /// Log-uniform sizes from 1e-6 to 1e6, both signs.
 pub const LOG_UNIFORM: Generator = Generator {
     name: "log_uniform",
@@ -215,6 +231,47 @@ fn bit_patterns_f32(random: &mut Random) -> f64 {
 fn sampled(seed: u64, n: usize, sample: fn(&mut Random) -> f64) -> Vec<f64> {
     let mut random = Random::new(seed);
     (0..n).map(|_| sample(&mut random)).collect()
+}
+
+/// Edges and recorded worst inputs at f32 values between two numbers.
+fn fixed_f32(lo: f64, hi: f64) -> Vec<f64> {
+    let recorded = worst::recorded(1).into_iter().flatten();
+    let all = edges_f32()
+        .into_iter()
+        .chain([neighbour_f32(lo, 0), neighbour_f32(hi, 0)])
+        .chain(recorded);
+    all.filter(|&x| lo <= x && x <= hi && f64::from(x as f32) == x)
+        .collect()
+}
+
+fn angles(seed: u64, n: usize) -> Vec<f64> {
+    const LARGEST: f64 = 1e4;
+    fill(seed, n, 1, fixed_f32(-LARGEST, LARGEST), |random, row| {
+        row.push(match random.integer(0, 2) {
+            0 => neighbour_f32(random.uniform(-LARGEST, LARGEST), 0),
+            1 => neighbour_f32(log_uniform(random, 1e-6, LARGEST), 0),
+            _ => {
+                let k = random.log_uniform(1.0, LARGEST / FRAC_PI_2 - 1.0).floor();
+                neighbour_f32(random.signed(k * FRAC_PI_2), random.integer(-4, 4))
+            }
+        });
+    })
+}
+
+fn exponents(seed: u64, n: usize) -> Vec<f64> {
+    const LOWEST: f64 = -87.0;
+    const HIGHEST: f64 = 88.69999694824219;
+    fill(seed, n, 1, fixed_f32(LOWEST, HIGHEST), |random, row| {
+        let x = match random.integer(0, 2) {
+            0 => neighbour_f32(random.uniform(LOWEST, HIGHEST), 0),
+            1 => neighbour_f32(log_uniform(random, 1e-9, HIGHEST), 0),
+            _ => {
+                let halves = random.integer(-250, 255) as f64;
+                neighbour_f32(0.5 * halves * std::f64::consts::LN_2, random.integer(-4, 4))
+            }
+        };
+        row.push(x.clamp(LOWEST, HIGHEST));
+    })
 }
 
 /// Fixed points first, then equal shares of every kind.

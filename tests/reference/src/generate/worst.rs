@@ -3,7 +3,7 @@
 use crate::hexadecimal;
 
 /// Name and text of each file: one header line, then one row of hexadecimal floats a line, `#` comments.
-const FILES: [(&str, usize, &str); 3] = [
+const FILES: [(&str, usize, &str); 7] = [
     (
         "sine_integral",
         1,
@@ -15,6 +15,14 @@ const FILES: [(&str, usize, &str); 3] = [
         2,
         include_str!("../../../../data/worst/sinc_squared_integral.csv"),
     ),
+    (
+        "sinc_squared_integral_turns",
+        3,
+        include_str!("../../../../data/worst/sinc_squared_integral_turns.csv"),
+    ),
+    ("sine", 1, include_str!("../../../../data/worst/sine.csv")),
+    ("cosine", 1, include_str!("../../../../data/worst/cosine.csv")),
+    ("exponential", 1, include_str!("../../../../data/worst/exponential.csv")),
 ];
 
 /// All recorded rows with this number of columns, whichever function they were found for.

@@ -10,6 +10,8 @@ type Big = FBig<HalfEven, 2>;
 const BITS: usize = 400;
 /// Argument of Si from which the asymptotic series is used; its smallest term there is e^-400, about 2^-577.
 const ASYMPTOTIC_START: f64 = 400.0;
+/// Bits that the series of Si needs at most.
+const MOST_BITS: usize = BITS + 20 + (1.5 * ASYMPTOTIC_START) as usize;
 
 fn big(x: f64, bits: usize) -> Big {
     Big::try_from(x).expect("finite").with_precision(bits).value()
@@ -33,13 +35,19 @@ fn reference(x: &Big) -> Reference {
 
 /// Si(x) for finite x >= 0.
 fn sine_integral_big(x: f64) -> Big {
-    if x >= ASYMPTOTIC_START {
+    sine_integral_of(&big(x, MOST_BITS))
+}
+
+/// Si(x) for x >= 0 of any precision.
+fn sine_integral_of(x: &Big) -> Big {
+    let size = x.to_f64().value();
+    if size >= ASYMPTOTIC_START {
         let half_pi = Big::pi(BITS) / big(2.0, BITS);
         return half_pi - sine_integral_tail(x);
     }
     // The largest term is about e^x/x^2: that many bits more.
-    let bits = BITS + 20 + (1.5 * x) as usize;
-    let x = big(x, bits);
+    let bits = BITS + 20 + (1.5 * size) as usize;
+    let x = x.clone().with_precision(bits).value();
     let square = x.sqr();
     let mut power = x.clone();
     let mut sum = x.clone();
@@ -66,9 +74,10 @@ fn magnitude(x: &Big) -> isize {
 }
 
 /// pi/2 - Si(x) = f cos x + g sin x for large finite x, to 2^-BITS of 1/x.
-fn sine_integral_tail(x: f64) -> Big {
-    let (sine, cosine) = big(x, BITS).sin_cos();
-    let inverse = big(1.0, BITS) / big(x, BITS);
+fn sine_integral_tail(x: &Big) -> Big {
+    let x = x.clone().with_precision(BITS).value();
+    let (sine, cosine) = x.sin_cos();
+    let inverse = big(1.0, BITS) / x;
     // Terms k!/x^(k+1) with signs + + - - for cos, sin, cos, sin.
     let mut term = inverse.clone();
     let mut total = big(0.0, BITS);
@@ -98,11 +107,16 @@ pub fn sine_integral(x: f64) -> Reference {
 
 /// The integral of sinc^2 from 0 to finite q >= 0: Si(2q) - sin^2(q)/q.
 fn antiderivative(q: f64) -> Big {
-    if q == 0.0 {
+    antiderivative_of(&big(q, MOST_BITS))
+}
+
+/// The same for q >= 0 of any precision.
+fn antiderivative_of(q: &Big) -> Big {
+    if is_zero(q) {
         return big(0.0, BITS);
     }
-    let exact = big(q, 2 * BITS);
-    sine_integral_big(2.0 * q).with_precision(BITS + 20).value() - exact.sin().sqr() / exact
+    let exact = q.clone().with_precision(2 * BITS).value();
+    sine_integral_of(&(q.clone() << 1)).with_precision(BITS + 20).value() - exact.sin().sqr() / exact
 }
 
 /// The integral of sinc^2 from q >= 200 to infinity, q halved once where 2q would overflow.
@@ -115,7 +129,7 @@ fn tail(q: f64) -> Big {
         // The oscillating parts are below 2^-600 of the leading term.
         return big(0.5, BITS) / exact;
     }
-    sine_integral_tail(2.0 * q) + exact.sin().sqr() / exact
+    sine_integral_tail(&big(2.0 * q, BITS)) + exact.sin().sqr() / exact
 }
 
 /// The integral of sinc^2 from `q0` to `q1`, any f64.
@@ -162,4 +176,33 @@ pub fn sinc(x: f64) -> Reference {
     }
     let exact = big(x.abs(), BITS);
     reference(&(exact.sin() / exact))
+}
+
+/// The integral of sinc^2 from pi `width` `xi0` to pi `width` `xi1`, for finite numbers of which none is so large or so
+/// small that a product leaves the range of f64.
+pub fn sinc_squared_integral_turns(width: f64, xi0: f64, xi1: f64) -> Reference {
+    let from_zero = |xi: f64| {
+        let q = Big::pi(MOST_BITS) * big(width, MOST_BITS) * big(xi.abs(), MOST_BITS);
+        let arc = antiderivative_of(&q);
+        if xi < 0.0 { -arc } else { arc }
+    };
+    reference(&(from_zero(xi1) - from_zero(xi0)))
+}
+
+/// sin x for finite x.
+pub fn sine(x: f64) -> Reference {
+    if x == 0.0 {
+        return Reference::exact(x);
+    }
+    reference(&big(x, BITS).sin())
+}
+
+/// cos x for finite x.
+pub fn cosine(x: f64) -> Reference {
+    reference(&big(x, BITS).cos())
+}
+
+/// e to the x for |x| up to some hundreds.
+pub fn exponential(x: f64) -> Reference {
+    reference(&big(x, BITS).exp())
 }

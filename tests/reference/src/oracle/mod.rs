@@ -8,10 +8,14 @@ pub mod arbitrary;
 mod arc;
 mod asymptotic;
 pub mod double_double;
+mod elementary;
 mod reduction;
 mod taylor;
+mod turns;
 
 pub use arc::sinc_squared_integral;
+pub use elementary::{cosine, exponential, sine};
+pub use turns::sinc_squared_integral_turns;
 
 use crate::metrics::Reference;
 use double_double::{Dd, HALF_PI};

@@ -1,6 +1,6 @@
 //! Other libraries' methods, on the domains of ours.
 
-use super::own::domain;
+use super::own::domain_of_others;
 use super::{Call, Method, Origin, Precision};
 use crate::peers;
 use Call::{F32, F32Pair, F64, F64Pair};
@@ -16,7 +16,7 @@ fn peer(function: &'static str, method: &'static str, label: &'static str, call:
         label,
         precision: if double { Precision::F64 } else { Precision::F32 },
         origin: Origin::Peer,
-        domain: domain(call.columns(), double),
+        domain: domain_of_others(call.columns(), double),
         call,
         budget: None,
         slice_of: None,
