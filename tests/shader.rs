@@ -93,6 +93,11 @@ fn the_arcs_keep_their_limits_and_symmetries_exactly() {
         let length = random.log_uniform(1e-7, 10.0);
         rows.extend([start, start * (1.0 + length)].map(|q| neighbour_f32(q, 0)));
     }
+    // The smallest numbers there are, from 0 and from each other.
+    for bits in 0..40u32 {
+        rows.extend([f32::from_bits(bits), f32::from_bits(bits * 3 + 1)].map(f64::from));
+        rows.extend([0.0, f32::from_bits(1 << (bits % 31)).min(1e38)].map(f64::from));
+    }
     let inf = f32::INFINITY;
     for (name, arc) in ARCS {
         for q in rows.chunks_exact(2) {
@@ -187,6 +192,62 @@ fn the_arc_in_turns_keeps_its_symmetries_and_is_never_negative() {
             arc(width, f32::NAN, b).is_nan() && arc(width, a, f32::NAN).is_nan(),
             "{row:?}"
         );
+    }
+}
+
+#[test]
+fn an_arc_from_zero_is_its_length_where_the_lobe_is_flat() {
+    for bits in (1..0x3000_0000u32).step_by(9_973) {
+        let q = f32::from_bits(bits);
+        for (name, arc) in ARCS {
+            assert_eq!(arc(0.0, q), q, "{name} {q:e}");
+        }
+    }
+}
+
+#[test]
+fn a_scratch_of_no_width_sends_nothing() {
+    let turns = shader::sinc_squared_integral_turns;
+    for [first, last] in [[0.1, 0.2], [0.0, 1.0], [-1.0, 1.0], [-2.0, -1.0]] {
+        assert_eq!(turns(0.0, first, last), 0.0);
+        for width in [f32::from_bits(1), 1e-38, 1e-30, 1e-20] {
+            let length = std::f32::consts::PI * width * (last - first);
+            let value = turns(width, first, last);
+            let slack = 4e-7 * length + 4.0 * f32::from_bits(1);
+            assert!((value - length).abs() <= slack, "{width:e} {first} {last}: {value:e}");
+        }
+    }
+    assert_eq!(
+        turns(2.0, 0.0, f32::from_bits(1)),
+        2.0 * std::f32::consts::PI * f32::from_bits(1)
+    );
+}
+
+#[test]
+fn far_arcs_keep_their_size_to_the_end_of_the_range() {
+    for [a, b] in [
+        [1e30f32, 1.1e30],
+        [9e29, 2e30],
+        [1e36, 2.5e37],
+        [2.078_157_4e31, 2.078_158e31],
+    ] {
+        let truth = oracle::sinc_squared_integral(f64::from(a), f64::from(b));
+        for (name, arc) in ARCS {
+            let error = relative_error(f64::from(arc(a, b)), &truth, F32);
+            assert!(error <= 1e-5, "{name} {a:e} {b:e}: {error:e}");
+        }
+    }
+}
+
+#[test]
+fn sine_and_cosine_stay_within_one_for_any_number() {
+    for bits in (0..0x7F80_0000u32).step_by(4_099) {
+        let x = f32::from_bits(bits);
+        let both = shader::sine_cosine(x);
+        assert!(both.sine.abs() <= 1.0 && both.cosine.abs() <= 1.0, "{x:e}: {both:?}");
+    }
+    for zero in [0.0f32, -0.0] {
+        assert_eq!(shader::sine_cosine(zero).sine.to_bits(), zero.to_bits());
     }
 }
 

@@ -24,11 +24,11 @@ impl Powers {
         low + high * x4
     }
 
-    /// Returns c\[0\] + c\[1\] x + ... + c\[9\] x^9.
+    /// Returns c\[0\] x + c\[1\] x^2 + ... + c\[8\] x^9.
     #[inline(always)]
-    pub(crate) fn ten(self, [c0, c1, c2, c3, c4, c5, c6, c7, c8, c9]: [f64; 10]) -> f64 {
+    pub(crate) fn nine_from_first(self, [c1, c2, c3, c4, c5, c6, c7, c8, c9]: [f64; 9]) -> f64 {
         let Self(x, x2, x4) = self;
-        let low = (c0 + c1 * x) + (c2 + c3 * x) * x2;
+        let low = c1 * x + (c2 + c3 * x) * x2;
         let high = (c4 + c5 * x) + (c6 + c7 * x) * x2;
         low + (high + (c8 + c9 * x) * x4) * x4
     }

@@ -4,7 +4,7 @@
 //! on every machine that neither fuses nor reorders.
 
 use super::coefficients::*;
-use super::gpu::{abs, bits_of, from_bits, max, min, round};
+use super::gpu::{abs, bits_of, from_bits, max, min, round, select};
 
 /// 1/pi.
 pub(super) const INVERSE_PI: f32 = 0.31830987;
@@ -12,6 +12,8 @@ pub(super) const INVERSE_PI: f32 = 0.31830987;
 pub(super) const PI_HIGH: f32 = 3.140625;
 /// What [`PI_HIGH`] left out.
 pub(super) const PI_LOW: f32 = 0.0009676536;
+/// A little more than pi/2: what the rounding of a phase may leave, and where the kernels still hold.
+pub(super) const REST_LIMIT: f32 = 1.75;
 /// 2 pi.
 pub(super) const TWO_PI: f32 = 6.2831855;
 /// From here on no phase of an f32 is known to better than a radian.
@@ -98,13 +100,15 @@ pub(super) fn sine_cosine_near_coarse(r: f32) -> SineCosine {
 }
 
 /// Returns the sine and cosine of x in radians, to 2.5e-7 for |x| to 1e4.
+///
+/// Beyond, the phase loses digits in proportion; both stay within 1 for any finite x.
 #[inline(always)]
 #[must_use]
 pub fn sine_cosine(x: f32) -> SineCosine {
     let turns = reduce_half_turns(x);
-    let near = sine_cosine_near(turns.rest);
+    let near = sine_cosine_near(min(max(turns.rest, -REST_LIMIT), REST_LIMIT));
     SineCosine {
-        sine: turns.parity * near.sine,
+        sine: select(turns.parity * near.sine, x, x == 0.0),
         cosine: turns.parity * near.cosine,
     }
 }
@@ -127,8 +131,7 @@ pub fn sine_cosine_turns(turns: f32) -> SineCosine {
 
 /// Returns e to the x, to 2 units of the last place for x from -87 to 88.
 ///
-/// Below, the result falls to 0 by way of subnormal numbers, which a GPU may flush; above 88.7 it stays at the largest
-/// power that f32 holds.
+/// Below, the result falls to 0 by way of subnormal numbers, which a GPU may flush; above 88.7 it stays at e^88.7.
 #[inline(always)]
 #[must_use]
 pub fn exponential(x: f32) -> f32 {

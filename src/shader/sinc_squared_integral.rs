@@ -11,8 +11,10 @@ use super::sine_integral::*;
 
 /// Arcs shorter than this are summed by a Gauss rule.
 pub(super) const ARC_SHORT: f32 = 1.0;
-/// From here on an end is at infinity.
-pub(super) const ARC_INFINITE: f32 = 1.0e30;
+/// From here on an end counts as infinite: its inverse is not a normal number any more.
+pub(super) const ARC_INFINITE: f32 = 3.0e37;
+/// Ends nearer to 0 are left out of the Gauss rule, which divides by them.
+pub(super) const ARC_TINY: f32 = 1.0e-30;
 /// No phase beyond this.
 pub(super) const ARC_PHASE_LIMIT: f32 = 8388608.0;
 /// pi as an f32.
@@ -96,13 +98,13 @@ pub(super) fn arc_join(
     let near_value = select(near_tail, near_line, ends.near < border);
     let far_value = select(far_tail, far_line, ends.far < border);
     let lead = select(
-        ((extent + extent) * near_inverse) * far_inverse,
+        (extent * far_inverse) * (near_inverse + near_inverse),
         near_inverse,
         ends.far > ARC_INFINITE,
     );
     let tails = lead + (near_wave - far_wave);
     let between = select(far_value - near_value, tails, ends.near >= border);
-    let one_sided = select(between, gauss_sum, extent < ARC_SHORT);
+    let one_sided = select(between, gauss_sum, extent < ARC_SHORT && ends.near >= ARC_TINY);
     let value = select(one_sided, far_value + near_value, ends.straddles);
     select(value, 0.0, value < 0.0)
 }
@@ -193,7 +195,8 @@ pub(super) fn product_fraction(x: f32, y: f32) -> f32 {
 /// Returns the integral of (sin t / t)^2 over t = pi (W/lambda) xi between two direction cosines, to f32 grade.
 ///
 /// `width` is W/lambda, from 0 to 256, dimensionless; `first` and `last` are direction cosines from -2 to 2. The phase
-/// is reduced in turns before it is rounded, so that wide scratches lose nothing. VWH18 Eq. 27.
+/// is reduced in turns before it is rounded, so that wide scratches lose nothing. Wider scratches lose digits in
+/// proportion; a negative width has no meaning. VWH18 Eq. 27.
 #[inline(always)]
 #[must_use]
 pub fn sinc_squared_integral_turns(width: f32, first: f32, last: f32) -> f32 {

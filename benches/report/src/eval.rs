@@ -90,7 +90,7 @@ pub enum End {
 pub fn evaluate(function: &Function, method: &Method, input: impl BufRead, output: impl Write) -> io::Result<End> {
     let names: Vec<&str> = function.inputs.iter().map(|(name, _)| *name).collect();
     let mut rows = Rows::new(input, &names, method.precision == Precision::F32);
-    let mut output = io::BufWriter::with_capacity(1 << 16, output);
+    let mut output = io::LineWriter::new(output);
     let mut row = Vec::with_capacity(names.len());
     let end = loop {
         match rows.next(&mut row)? {

@@ -61,11 +61,6 @@ impl<R: BufRead> Rows<R> {
         }
     }
 
-    /// Number of the line read last.
-    pub fn line(&self) -> u64 {
-        self.line
-    }
-
     /// Reads up to the next row and writes its numbers into `row`.
     pub fn next(&mut self, row: &mut Vec<f64>) -> io::Result<Next> {
         loop {
@@ -153,7 +148,17 @@ fn number(word: &str, single: bool) -> Result<f64, String> {
     };
     let value = match word.parse::<f64>() {
         Ok(v) => v,
-        Err(_) => hex_float::parse(word).ok_or_else(|| format!("\"{}\" is not a number", shown()))?,
+        Err(_) => hex_float::parse(word).ok_or_else(|| {
+            let digits = word.trim_start_matches(['+', '-']);
+            if digits.starts_with("0x") || digits.starts_with("0X") {
+                format!(
+                    "\"{}\" is not a hexadecimal number of at most 53 bits in the range of f64",
+                    shown()
+                )
+            } else {
+                format!("\"{}\" is not a number", shown())
+            }
+        })?,
     };
     let finite_text = word.bytes().any(|b| b.is_ascii_digit());
     if finite_text && value.is_infinite() {
@@ -201,6 +206,12 @@ mod tests {
             ("1,,2", 1, Some(2), "the column is empty"),
             ("1,2,", 1, Some(3), "the column is empty"),
             ("\n\n1 x7", 3, Some(2), "\"x7\" is not a number"),
+            (
+                "1 0x1p1024",
+                1,
+                Some(2),
+                "\"0x1p1024\" is not a hexadecimal number of at most 53 bits in the range of f64",
+            ),
             ("1 1e999", 1, Some(2), "\"1e999\" is beyond the range of f64"),
             ("1;2 3", 1, Some(1), "\"1;2\" is not a number"),
         ] {

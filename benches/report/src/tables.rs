@@ -104,9 +104,9 @@ fn accuracy(rows: &[&Entry], with_function: bool) -> String {
         ("", "")
     };
     text.push_str(&format!(
-        "{head}| method | what it is | precision | max rel. error | max ulp | 99.9 % rel. error | wrong sign | promise | time / baseline | worst input |\n"
+        "{head}| method | what it is | precision | max abs. error | max rel. error | 99.9 % rel. error | max ulp | wrong sign | promise | time / baseline | worst input |\n"
     ));
-    text.push_str(&format!("{rule}|---|---|---|---|---|---|---|---|---|---|\n"));
+    text.push_str(&format!("{rule}|---|---|---|---|---|---|---|---|---|---|---|\n"));
     for e in rows {
         if with_function {
             text.push_str(&format!("| `{}` ", e.function));
@@ -117,14 +117,15 @@ fn accuracy(rows: &[&Entry], with_function: bool) -> String {
             format!("{} %", short(100.0 * e.wrong_sign))
         };
         text.push_str(&format!(
-            "| {} | {} ({}) | {} | {} | {} | {} | {sign} | {} | {} | {} |\n",
+            "| {} | {} ({}) | {} | {} | {} | {} | {} | {sign} | {} | {} | {} |\n",
             name(e),
             e.label.replace('|', "\\|"),
             names::origin(e.origin),
             names::precision(e.precision),
+            short(e.max_abs),
             short(e.max_rel),
-            short(e.max_ulp),
             short(e.p999_rel),
+            short(e.max_ulp),
             promise(e),
             cost(e),
             worst(e)

@@ -63,7 +63,7 @@ fn a_chart_with_many_more_methods_still_finds_room_for_every_label() {
     let numbers = run::committed().expect("the ledger is committed");
     let mut entries = numbers.entries.clone();
     for e in &numbers.entries {
-        for (suffix, factor) in [("wide", 0.09), ("wider", 0.05)] {
+        for (suffix, factor) in [("wide", 0.4), ("wider", 0.03)] {
             if e.origin != reference::registry::Origin::Peer && e.call == "scalar" {
                 let mut more = e.clone();
                 more.method = format!("{}_{suffix}", e.method);

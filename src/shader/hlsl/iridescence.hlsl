@@ -131,6 +131,7 @@ static const float ARC_COARSE_G_B = 173.4533;
 static const float INVERSE_PI = 0.31830987;
 static const float PI_HIGH = 3.140625;
 static const float PI_LOW = 0.0009676536;
+static const float REST_LIMIT = 1.75;
 static const float TWO_PI = 6.2831855;
 static const float PHASE_LIMIT = 33554432.0;
 static const float EXPONENT_BIAS = 8388735.0;
@@ -142,7 +143,8 @@ static const float SQUARE_LIMIT = 16777216.0;
 static const float VELINOV_BUMP = 0.6614274;
 static const float VELINOV_OFFSET = 0.3827229;
 static const float ARC_SHORT = 1.0;
-static const float ARC_INFINITE = 1e30;
+static const float ARC_INFINITE = 3e37;
+static const float ARC_TINY = 1e-30;
 static const float ARC_PHASE_LIMIT = 8388608.0;
 static const float ARC_PI = 3.1415927;
 static const float GAUSS_INNER = 0.33998105;
@@ -218,11 +220,13 @@ SineCosine sine_cosine_near_coarse(float r_2)
 }
 
 // Returns the sine and cosine of x in radians, to 2.5e-7 for |x| to 1e4.
+//
+// Beyond, the phase loses digits in proportion; both stay within 1 for any finite x.
 SineCosine sine_cosine(float x_2)
 {
     const HalfTurns _e1 = reduce_half_turns(x_2);
-    const SineCosine _e3 = sine_cosine_near(_e1.rest);
-    const SineCosine sinecosine_3 = ConstructSineCosine((_e1.parity * _e3.sine), (_e1.parity * _e3.cosine));
+    const SineCosine _e7 = sine_cosine_near(min(max(_e1.rest, -1.75), REST_LIMIT));
+    const SineCosine sinecosine_3 = ConstructSineCosine(((x_2 == 0.0) ? x_2 : (_e1.parity * _e7.sine)), (_e1.parity * _e7.cosine));
     return sinecosine_3;
 }
 
@@ -243,8 +247,7 @@ SineCosine sine_cosine_turns(float turns)
 // Returns e to the x, to 2 units of the last place for x from -87 to 88.
 //
 // Below, the result falls to 0 by way of subnormal numbers, which a GPU may flush; above 88.7 it
-// stays at the largest
-// power that f32 holds.
+// stays at e^88.7.
 float exponential(float x_3)
 {
     float bounded = min(max(x_3, -104.0), 88.7);
@@ -386,16 +389,24 @@ float arc_middle_phase(float rest, float halved)
 // tails have beside 1/(2q), `gauss_sum` the Gauss sum.
 float arc_join(ArcEnds ends, float extent, float border, float near_line, float far_line, float near_wave, float far_wave, float gauss_sum)
 {
+    bool local_1 = (bool)0;
+
     float near_inverse = (0.5 / ends.near);
     float far_inverse = (0.5 / ends.far);
     float near_tail = (HALF_PI - (near_inverse + near_wave));
     float far_tail = (HALF_PI - (far_inverse + far_wave));
     float near_value = ((ends.near < border) ? near_line : near_tail);
     float far_value = ((ends.far < border) ? far_line : far_tail);
-    float lead = ((ends.far > ARC_INFINITE) ? near_inverse : (((extent + extent) * near_inverse) * far_inverse));
+    float lead = ((ends.far > ARC_INFINITE) ? near_inverse : ((extent * far_inverse) * (near_inverse + near_inverse)));
     float tails = (lead + (near_wave - far_wave));
     float between = ((ends.near >= border) ? tails : (far_value - near_value));
-    float one_sided = ((extent < ARC_SHORT) ? gauss_sum : between);
+    if ((extent < ARC_SHORT)) {
+        local_1 = (ends.near >= ARC_TINY);
+    } else {
+        local_1 = false;
+    }
+    bool _e47 = local_1;
+    float one_sided = (_e47 ? gauss_sum : between);
     float value_6 = (ends.straddles ? (far_value + near_value) : one_sided);
     return ((value_6 < 0.0) ? 0.0 : value_6);
 }
@@ -489,7 +500,9 @@ float product_fraction(float x_8, float y)
 //
 // `width` is W/lambda, from 0 to 256, dimensionless; `first` and `last` are direction cosines from
 // -2 to 2. The phase
-// is reduced in turns before it is rounded, so that wide scratches lose nothing. VWH18 Eq. 27.
+// is reduced in turns before it is rounded, so that wide scratches lose nothing. Wider scratches
+// lose digits in
+// proportion; a negative width has no meaning. VWH18 Eq. 27.
 float sinc_squared_integral_turns(float width, float first_2, float last_2)
 {
     const ArcEnds _e3 = arc_ends(first_2, last_2);

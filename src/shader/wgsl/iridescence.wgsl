@@ -165,6 +165,9 @@ const INVERSE_PI: f32 = 0.31830987f;
 const PI_HIGH: f32 = 3.140625f;
 // What [`PI_HIGH`] left out.
 const PI_LOW: f32 = 0.0009676536f;
+// A little more than pi/2: what the rounding of a phase may leave, and where the kernels still
+// hold.
+const REST_LIMIT: f32 = 1.75f;
 // 2 pi.
 const TWO_PI: f32 = 6.2831855f;
 // From here on no phase of an f32 is known to better than a radian.
@@ -236,10 +239,12 @@ fn sine_cosine_near_coarse(r: f32) -> SineCosine {
 }
 
 // Returns the sine and cosine of x in radians, to 2.5e-7 for |x| to 1e4.
+//
+// Beyond, the phase loses digits in proportion; both stay within 1 for any finite x.
 fn sine_cosine(x: f32) -> SineCosine {
     let turns = reduce_half_turns(x);
-    let near = sine_cosine_near(turns.rest);
-    return SineCosine(turns.parity * near.sine, turns.parity * near.cosine);
+    let near = sine_cosine_near(min(max(turns.rest, -REST_LIMIT), REST_LIMIT));
+    return SineCosine(select(turns.parity * near.sine, x, x == 0.0f), turns.parity * near.cosine);
 }
 
 // Returns the sine and cosine of a whole number of turns and a part: of 2 pi `turns`.
@@ -257,8 +262,7 @@ fn sine_cosine_turns(turns: f32) -> SineCosine {
 // Returns e to the x, to 2 units of the last place for x from -87 to 88.
 //
 // Below, the result falls to 0 by way of subnormal numbers, which a GPU may flush; above 88.7 it
-// stays at the largest
-// power that f32 holds.
+// stays at e^88.7.
 fn exponential(x: f32) -> f32 {
     let bounded = min(max(x, -104.0f), 88.7f);
     let n = round(bounded * LOG_TWO_E);
@@ -364,8 +368,10 @@ fn sine_integral_velinov(x: f32) -> f32 {
 
 // Arcs shorter than this are summed by a Gauss rule.
 const ARC_SHORT: f32 = 1.0f;
-// From here on an end is at infinity.
-const ARC_INFINITE: f32 = 1.0e30f;
+// From here on an end counts as infinite: its inverse is not a normal number any more.
+const ARC_INFINITE: f32 = 3.0e37f;
+// Ends nearer to 0 are left out of the Gauss rule, which divides by them.
+const ARC_TINY: f32 = 1.0e-30f;
 // No phase beyond this.
 const ARC_PHASE_LIMIT: f32 = 8388608.0f;
 // pi as an f32.
@@ -432,11 +438,11 @@ fn arc_join(ends: ArcEnds, extent: f32, border: f32, near_line: f32, far_line: f
     let far_tail = HALF_PI - (far_inverse + far_wave);
     let near_value = select(near_tail, near_line, ends.near < border);
     let far_value = select(far_tail, far_line, ends.far < border);
-    let lead = select(((extent + extent) * near_inverse) * far_inverse, near_inverse, ends.far >
-        ARC_INFINITE);
+    let lead = select((extent * far_inverse) * (near_inverse + near_inverse), near_inverse, ends.far
+        > ARC_INFINITE);
     let tails = lead + (near_wave - far_wave);
     let between = select(far_value - near_value, tails, ends.near >= border);
-    let one_sided = select(between, gauss_sum, extent < ARC_SHORT);
+    let one_sided = select(between, gauss_sum, extent < ARC_SHORT && ends.near >= ARC_TINY);
     let value = select(one_sided, far_value + near_value, ends.straddles);
     return select(value, 0.0f, value < 0.0f);
 }
@@ -518,7 +524,9 @@ fn product_fraction(x: f32, y: f32) -> f32 {
 //
 // `width` is W/lambda, from 0 to 256, dimensionless; `first` and `last` are direction cosines from
 // -2 to 2. The phase
-// is reduced in turns before it is rounded, so that wide scratches lose nothing. VWH18 Eq. 27.
+// is reduced in turns before it is rounded, so that wide scratches lose nothing. Wider scratches
+// lose digits in
+// proportion; a negative width has no meaning. VWH18 Eq. 27.
 fn sinc_squared_integral_turns(width: f32, first: f32, last: f32) -> f32 {
     let xi = arc_ends(first, last);
     let scale = ARC_PI * width;

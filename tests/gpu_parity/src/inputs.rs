@@ -89,7 +89,11 @@ fn between(i: usize, stream: u64) -> f32 {
 fn scratches() -> Vec<f32> {
     (0..ROWS)
         .flat_map(|i| {
-            let width = logarithmic(i, 20, 0.1, 256.0).abs();
+            let width = if i % 97 == 0 {
+                0.0
+            } else {
+                logarithmic(i, 20, 0.1, 256.0).abs()
+            };
             let first = between(i, 21);
             let last = match i % 4 {
                 0 => between(i, 22),

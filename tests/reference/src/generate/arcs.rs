@@ -193,7 +193,12 @@ fn at_zeros(random: &mut Random) -> [f64; 2] {
     let zero = neighbour(n * PI, random.integer(-1, 1));
     let [_, end] = with_length(random, zero, 1.0);
     let length = end - zero;
-    let arc = match random.integer(0, 2) {
+    let arc = match random.integer(0, 3) {
+        // The shortest arcs that are no longer summed by a Gauss rule, about a zero.
+        3 => {
+            let half = random.uniform(0.49, 0.6);
+            [zero - half, zero + half]
+        }
         0 => [zero, end],
         1 => [zero - length, zero],
         _ => [zero - random.uniform(0.0, 1.0) * length, end],

@@ -7,7 +7,7 @@ use std::f64::consts::FRAC_PI_2;
 /// Every finite f64: a mixture of all generators below, with the fixed edges, borders and recorded worst inputs.
 pub const REAL_F64: Generator = Generator {
     name: "real_f64",
-    domain: "all finite x: edges, region borders, near k pi/2, uniform, log-uniform, random bits",
+    domain: "all finite x: edges, region borders, near k pi/2, results beside powers of two, uniform, log-uniform, random bits",
     columns: 1,
     rows: |seed, n| mixture(seed, n, false),
 };
@@ -15,7 +15,7 @@ pub const REAL_F64: Generator = Generator {
 /// The same mixture at f32 values.
 pub const REAL_F32: Generator = Generator {
     name: "real_f32",
-    domain: "all finite f32 x: edges, region borders, near k pi/2, uniform, log-uniform, random bits",
+    domain: "all finite f32 x: edges, region borders, near k pi/2, results beside powers of two, uniform, log-uniform, random bits",
     columns: 1,
     rows: |seed, n| mixture(seed, n, true),
 };
@@ -286,7 +286,7 @@ fn mixture(seed: u64, n: usize, single: bool) -> Vec<f64> {
     fixed.extend(recorded.filter(|&x| x.is_finite() && (!single || f64::from(x as f32) == x)));
     let step = if single { neighbour_f32 } else { neighbour };
     fill(seed, n, 1, fixed, |random, row| {
-        row.push(match random.integer(0, 5) {
+        row.push(match random.integer(0, 6) {
             0 => step(random.uniform(-60.0, 60.0), 0),
             1 => step(random.uniform(-1000.0, 1000.0), 0),
             2 => step(log_uniform(random, 1e-6, 1e6), 0),
@@ -298,8 +298,21 @@ fn mixture(seed: u64, n: usize, single: bool) -> Vec<f64> {
                 let (x, steps) = border_and_steps(random);
                 step(x, steps)
             }
+            5 => step(beside_power_of_two(random), 0),
             _ if single => bit_patterns_f32(random),
             _ => bit_patterns(random),
         });
     })
+}
+
+/// An x whose Si or whose sine lies beside a power of two, where the last place of the result changes its size.
+fn beside_power_of_two(random: &mut Random) -> f64 {
+    let size = random.uniform(0.0, 12.0).floor().exp2().recip();
+    let inverse = if random.chance(0.5) {
+        // Si^-1(1) is 1.0648..; below, Si(x) = s is near x = s + s^3/18.
+        size + size.powi(3) / 18.0 + 0.0092 * size.powi(5)
+    } else {
+        size.min(0.5).asin()
+    };
+    (inverse * (1.0 + random.uniform(-0.03, 0.03))).copysign(random.uniform(-1.0, 1.0))
 }

@@ -219,7 +219,7 @@ pub(super) fn methods() -> Vec<Method> {
             Absolute,
             0.103,
         ),
-        own("sinc", "accurate", "iridescence f64", F64(special::sinc), Ulp, 1.5),
+        own("sinc", "accurate", "iridescence f64", F64(special::sinc), Ulp, 1.75),
         own(
             "sinc_squared_integral_turns",
             "accurate",
