@@ -152,7 +152,7 @@ fn number(word: &str, single: bool) -> Result<f64, String> {
             let digits = word.trim_start_matches(['+', '-']);
             if digits.starts_with("0x") || digits.starts_with("0X") {
                 format!(
-                    "\"{}\" is not a hexadecimal number of at most 53 bits in the range of f64",
+                    "\"{}\" is not a number: hexadecimal ones have at most 53 bits and lie in the range of f64",
                     shown()
                 )
             } else {
@@ -210,7 +210,7 @@ mod tests {
                 "1 0x1p1024",
                 1,
                 Some(2),
-                "\"0x1p1024\" is not a hexadecimal number of at most 53 bits in the range of f64",
+                "\"0x1p1024\" is not a number: hexadecimal ones have at most 53 bits and lie in the range of f64",
             ),
             ("1 1e999", 1, Some(2), "\"1e999\" is beyond the range of f64"),
             ("1;2 3", 1, Some(1), "\"1;2\" is not a number"),
