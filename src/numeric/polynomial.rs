@@ -1,6 +1,6 @@
 //! Polynomials of a fixed number of terms by Estrin's scheme.
 //!
-//! Pairs of terms are formed side by side, which shortens the chain of dependent operations to a third of Horner's.
+//! Pairs of terms are formed side by side, which shortens the chain of dependent operations against Horner's.
 //! Multiplications and additions stay unfused, so that every machine gives the same bits.
 
 /// The powers x, x^2 and x^4, shared by polynomials in the same variable.

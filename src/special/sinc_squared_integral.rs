@@ -169,7 +169,7 @@ fn oscillation(q: f64) -> f64 {
 
 /// [`oscillation`] of two arguments, side by side where both are below [`FAST_PHASE`].
 ///
-/// Kept out of its callers: on its own the compiler evaluates both in one vector, which halves its time.
+/// Kept out of its callers: on its own the compiler evaluates both in one vector.
 #[inline(never)]
 fn oscillations(q: [f64; 2]) -> [f64; 2] {
     if q[0].max(q[1]) < FAST_PHASE {

@@ -77,7 +77,7 @@ pub fn sine_integral(x: f64) -> f64 {
 
 /// The bits of [`sine_integral`] for each element, in loops without a branch.
 ///
-/// A block on one side of the border of cells and tail costs half of one that has both.
+/// A block on one side of the border of cells and tail is spared the other evaluation.
 #[cfg(feature = "simd")]
 #[inline(always)]
 pub(crate) fn sine_integral_block<const N: usize>(x: &[f64; N]) -> [f64; N] {
