@@ -28,7 +28,7 @@
 //!
 //! | module | what it holds | precision | feature |
 //! |---|---|---|---|
-//! | [`special`] | sinc, the sine integral, the integral of sinc squared over an arc | f64 | |
+//! | [`special`] | sinc, the sine integral, the arc of sinc squared; the Faddeeva function, erf, the scaled erf difference; Bessel I0 | f64 | |
 #![cfg_attr(
     feature = "shader",
     doc = "| [`shader`] | the same in f32, in cheaper tiers as well, with their WGSL, GLSL and HLSL text | f32 | `shader` |"
@@ -53,6 +53,8 @@ pub mod shader;
 #[cfg(feature = "simd")]
 pub mod simd;
 pub mod special;
+
+pub use num_complex::Complex;
 
 /// The examples of README.md, as tests.
 #[cfg(doctest)]

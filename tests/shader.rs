@@ -137,6 +137,7 @@ fn turns(call: fn(f32, f32, f32) -> f32) -> Method {
     let m = registered.expect("registered");
     Method {
         call: Call::F32Triple(call),
+        regions: m.regions.clone(),
         ..*m
     }
 }

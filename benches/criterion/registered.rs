@@ -1,8 +1,8 @@
 //! A criterion group for one function: all its methods from the registry, on the inputs of all timings.
 
 use criterion::{BenchmarkGroup, Criterion, SamplingMode, Throughput, measurement::WallTime};
-use reference::generate::timing::{ROWS, rows};
-use reference::registry::{Call, Precision, methods};
+use reference::generate::timing::ROWS;
+use reference::registry::{Precision, Value, Visitor, methods};
 use std::hint::black_box;
 use std::time::Duration;
 
@@ -21,51 +21,39 @@ pub fn bench(function: &str) {
     for m in methods().iter().filter(|m| m.function == function) {
         let precision = if m.precision == Precision::F64 { "f64" } else { "f32" };
         let form = if m.call.is_slice() { " slice" } else { "" };
-        add(
-            &mut group,
-            &format!("{} {precision}{form}", m.method),
-            &m.call,
-            &rows(&m.domain),
-        );
+        let name = format!("{} {precision}{form}", m.method);
+        m.call.visit(&m.timing_rows(), Add(&mut group, name));
     }
     group.finish();
     criterion.final_summary();
 }
 
-fn add(group: &mut BenchmarkGroup<WallTime>, name: &str, call: &Call, rows: &[f64]) {
-    let pairs: Vec<[f64; 2]> = rows.chunks_exact(2).map(|r| [r[0], r[1]]).collect();
-    let single: Vec<f32> = rows.iter().map(|&x| x as f32).collect();
-    let single_pairs: Vec<[f32; 2]> = pairs.iter().map(|q| q.map(|x| x as f32)).collect();
-    match *call {
-        Call::F64(f) => each(group, name, rows, f),
-        Call::F64Pair(f) => each(group, name, &pairs, f),
-        Call::F32(f) => each(group, name, &single, f),
-        Call::F32Pair(f) => each(group, name, &single_pairs, move |[a, b]| f(a, b)),
-        Call::F32Triple(f) => each(group, name, single.as_chunks::<3>().0, move |[a, b, c]| f(a, b, c)),
-        Call::F64Slice(f) => whole(group, name, rows, f),
-        Call::F64PairSlice(f) => whole(group, name, &pairs, f),
-        Call::F32Slice(f) => whole(group, name, &single, f),
-        Call::F32PairSlice(f) => whole(group, name, &single_pairs, f),
+/// Adds a benchmark of a call in its own shape of inputs and results.
+struct Add<'a, 'b>(&'a mut BenchmarkGroup<'b, WallTime>, String);
+
+impl Visitor for Add<'_, '_> {
+    type Output = ();
+
+    fn scalar<X: Copy + 'static, Y: Value>(self, x: Vec<X>, f: impl Fn(X) -> Y + 'static) {
+        let mut out = vec![Y::default(); x.len()];
+        self.0.bench_function(self.1, |b| {
+            b.iter(|| {
+                let f = black_box(&f);
+                for (o, &x) in out.iter_mut().zip(black_box(&x)) {
+                    *o = f(x);
+                }
+                black_box(&mut out);
+            });
+        });
     }
-}
 
-fn each<X: Copy, Y: Copy + Default>(group: &mut BenchmarkGroup<WallTime>, name: &str, x: &[X], f: impl Fn(X) -> Y) {
-    let mut out = vec![Y::default(); x.len()];
-    group.bench_function(name, |b| {
-        b.iter(|| {
-            for (o, &x) in out.iter_mut().zip(black_box(x)) {
-                *o = f(x);
-            }
-            black_box(&mut out);
+    fn slice<X: 'static, Y: Value>(self, x: Vec<X>, f: fn(&[X], &mut [Y])) {
+        let mut out = vec![Y::default(); x.len()];
+        self.0.bench_function(self.1, |b| {
+            b.iter(|| {
+                f(black_box(&x), &mut out);
+                black_box(&mut out);
+            });
         });
-    });
-}
-
-fn whole<X, Y: Copy + Default>(group: &mut BenchmarkGroup<WallTime>, name: &str, x: &[X], f: fn(&[X], &mut [Y])) {
-    let mut out = vec![Y::default(); x.len()];
-    group.bench_function(name, |b| {
-        b.iter(|| {
-            f(black_box(x), black_box(&mut out));
-        });
-    });
+    }
 }

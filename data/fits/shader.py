@@ -209,4 +209,5 @@ def main():
         provenance.record(OUT, "shader.py", made)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -17,7 +17,8 @@ y = 1/x^2, the polynomials A(y) = (1 - x f)/y and B(y) = (1 - x^2 g)/y on
 0 <= y <= 1/TAIL_LOW^2, at Chebyshev points.
 
 Sine and cosine. S(u) = (sin r / r - 1)/u and C(u) = ((cos r - 1)/u + 1/2)/u
-with u = r^2 on |r| <= 1.001 pi/2, at Chebyshev points.
+with u = r^2 on |r| <= 1.001 pi/2, at Chebyshev points. Beside them the binary
+places of 1/pi, for the reduction of products of any size.
 """
 
 import pathlib
@@ -36,6 +37,7 @@ TAIL = mpf(191) / 4
 TAIL_LOW = mpf(40)
 TAIL_TERMS = 8
 SINE_TERMS, COSINE_TERMS = 8, 8
+INVERSE_PI_WORDS = 40
 SOURCE = pathlib.Path(__file__).resolve().parents[2] / "src"
 
 
@@ -187,7 +189,19 @@ def numeric_text():
     out += "//! Coefficients of the f64 sine and cosine on a quarter turn either side of zero.\n\n"
     out += column("SINE", s, f"(sin r / r - 1)/r^2 in powers of r^2; fit error {mp.nstr(s_error, 2)} absolute.")
     out += column("COSINE", c, f"((cos r - 1)/r^2 + 1/2)/r^2 in powers of r^2; fit error {mp.nstr(c_error, 2)} absolute.")
+    out += words_of_inverse_pi()
     return out.rstrip("\n") + "\n"
+
+
+def words_of_inverse_pi():
+    """1/pi in binary, 64 places a word: the products of two doubles reach 2^2049."""
+    with mp.workprec(64 * INVERSE_PI_WORDS + 64):
+        digits = int(mp.floor(mp.ldexp(1 / pi, 64 * INVERSE_PI_WORDS)))
+    words = [f"0x{digits >> 64 * (INVERSE_PI_WORDS - 1 - k) & 2**64 - 1:016x}" for k in range(INVERSE_PI_WORDS)]
+    out = "/// The binary places of 1/pi after the point, 64 a word.\n#[rustfmt::skip]\n"
+    out += f"pub(super) static INVERSE_PI_PLACES: [u64; {INVERSE_PI_WORDS}] = [\n"
+    out += "".join(f"    {', '.join(words[k : k + 4])},\n" for k in range(0, INVERSE_PI_WORDS, 4))
+    return out + "];\n\n"
 
 
 def special_text():
@@ -224,4 +238,5 @@ def main():
             provenance.record(path, "special.py", made)
 
 
-main()
+if __name__ == "__main__":
+    main()

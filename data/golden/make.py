@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Writes the golden tables of this folder: certified values by Arb ball arithmetic (PyPI python-flint).
 
-    python3 data/golden/make.py            writes sine_integral.csv and sinc_squared_integral.csv
+    python3 data/golden/make.py            writes every table
     python3 data/golden/make.py --check    fails when a committed table differs from what would be written
 
 Inputs are f64 written as hexadecimal floats. A result is (hi + lo) 2^exponent: hi is the certified value rounded to f64,
-lo the remainder rounded to f64, and the exponent is 0 except where the result would leave the normal numbers. The last
-column holds the same value to 40 decimal digits. Every ball is refined until it has 220 correct bits.
+lo the remainder rounded to f64, and the exponent is 0 except where the result would leave the normal numbers; beyond the
+range of f64 hi is an infinity. The last column holds the same value to 40 decimal digits. Every ball is refined until it
+has 220 correct bits. The complex functions and the Bessel functions are in complex_values.py.
 """
 
 import math
@@ -17,8 +18,14 @@ from fractions import Fraction
 
 from flint import arb, ctx
 
+import complex_values
+
 FOLDER = pathlib.Path(__file__).resolve().parent
 BITS = 220
+# From here a number rounds to infinity.
+LARGEST = Fraction(2**54 - 1) * Fraction(2) ** 970
+# Beyond this power of two a number is written as an infinity or a zero.
+FAR = 100_000
 
 
 def certified(function):
@@ -44,14 +51,30 @@ def split(value):
     """hi, lo, exponent of a fraction."""
     if value == 0:
         return 0.0, 0.0, 0
-    exponent = -600 if abs(value) < Fraction(1, 10**200) else 0
+    size = abs(value).numerator.bit_length() - abs(value).denominator.bit_length()
+    if abs(value) >= LARGEST:
+        return math.inf if value > 0 else -math.inf, 0.0, 0
+    if size < -1400:
+        exponent = size
+    else:
+        exponent = -600 if abs(value) < Fraction(1, 10**200) else 0
     scaled = value / Fraction(2) ** exponent
     hi = float(scaled)
     return hi, float(scaled - Fraction(hi)), exponent
 
 
+def moderate(ball):
+    """The fraction of a ball; far outside every format some number there of the same sign."""
+    if ball != 0:
+        mantissa, exponent = (int(part) for part in ball.mid().man_exp())
+        size = exponent + abs(mantissa).bit_length()
+        if abs(size) > FAR:
+            return Fraction(2) ** (FAR if size > 0 else -FAR) * (1 if mantissa > 0 else -1)
+    return fraction(ball)
+
+
 def columns(value):
-    hi, lo, exponent = split(fraction(value))
+    hi, lo, exponent = split(moderate(value))
     ctx.prec = 400
     return [hi.hex(), lo.hex(), str(exponent), value.str(40, radius=False)]
 
@@ -142,6 +165,7 @@ def tables():
     return {
         "sine_integral.csv": table("x,hi,lo,exponent,decimal", si),
         "sinc_squared_integral.csv": table("q0,q1,hi,lo,exponent,decimal", arc),
+        **complex_values.tables(table, columns),
     }
 
 

@@ -1,6 +1,9 @@
 //! Shared numerics below the special functions: polynomials, exact phases, fixed Gauss rules.
 
+pub(crate) mod complex_polynomial;
+pub(crate) mod exponential;
 pub(crate) mod gauss;
 pub(crate) mod phase;
 pub(crate) mod polynomial;
+pub(crate) mod product_phase;
 mod tables;

@@ -15,6 +15,13 @@ impl Powers {
         Self(x, square, square * square)
     }
 
+    /// Returns c\[0\] + c\[1\] x + c\[2\] x^2 + c\[3\] x^3.
+    #[inline(always)]
+    pub(crate) fn four(self, [c0, c1, c2, c3]: [f64; 4]) -> f64 {
+        let Self(x, x2, _) = self;
+        (c0 + c1 * x) + (c2 + c3 * x) * x2
+    }
+
     /// Returns c\[0\] + c\[1\] x + ... + c\[7\] x^7.
     #[inline(always)]
     pub(crate) fn eight(self, [c0, c1, c2, c3, c4, c5, c6, c7]: [f64; 8]) -> f64 {

@@ -32,8 +32,8 @@
 //!
 //! | method | what it is | precision | largest error | promise | time / baseline |
 //! |---|---|---|---|---|---|
-//! | `accurate` | iridescence f64 | f64 | 9.2 eps | 16 eps | 0.25 (cephes_antiderivative) |
-//! | `vwh18` | VWH18 Eq. 27 with Eq. 29 | f64 | 0.10 abs. | 0.103 abs. | 0.70 (cephes_antiderivative) |
+//! | `accurate` | iridescence f64 | f64 | 9.2 eps | 16 eps | 0.26 (cephes_antiderivative) |
+//! | `vwh18` | VWH18 Eq. 27 with Eq. 29 | f64 | 0.10 abs. | 0.103 abs. | 0.72 (cephes_antiderivative) |
 //! | `accurate` | iridescence f32 | f32 | 4.5e-7 abs. | 6e-7 abs. | 0.83 (vwh18) |
 //! | `medium` | iridescence f32 1e-5 tier | f32 | 3.4e-6 abs. | 5e-6 abs. | 0.76 (vwh18) |
 //! | `coarse` | iridescence f32 4e-4 tier | f32 | 2.9e-4 abs. | 4e-4 abs. | 0.62 (vwh18) |

@@ -3,6 +3,15 @@
 use crate::ledger::parse;
 use reference::registry::{Budget, Metric};
 
+/// All measures.
+const METRICS: [Metric; 5] = [
+    Metric::Ulp,
+    Metric::Eps,
+    Metric::Absolute,
+    Metric::Relative,
+    Metric::Peak,
+];
+
 /// The name of a measure as written in the ledger.
 pub fn metric(m: Metric) -> &'static str {
     match m {
@@ -10,6 +19,7 @@ pub fn metric(m: Metric) -> &'static str {
         Metric::Eps => "eps",
         Metric::Absolute => "absolute",
         Metric::Relative => "relative",
+        Metric::Peak => "peak",
     }
 }
 
@@ -33,7 +43,7 @@ pub fn parse_budget(text: &str) -> Result<Option<Budget>, String> {
     let (bound, unit) = text
         .split_once(' ')
         .ok_or_else(|| format!("budget \"{text}\" has no unit"))?;
-    let metric = [Metric::Ulp, Metric::Eps, Metric::Absolute, Metric::Relative]
+    let metric = METRICS
         .into_iter()
         .find(|m| metric(*m) == unit)
         .ok_or_else(|| format!("unit of budget \"{text}\""))?;
@@ -52,6 +62,7 @@ mod tests {
         for (bound, metric, text) in [
             (0.75, Metric::Ulp, "0.75 ulp"),
             (4e-4, Metric::Absolute, "4e-4 absolute"),
+            (1e-5, Metric::Peak, "1e-5 peak"),
         ] {
             assert_eq!(budget_text(Some(Budget { metric, bound })), text);
             let read = parse_budget(text).expect("well formed").expect("not empty");

@@ -1,10 +1,9 @@
 //! `report eval`: rows of numbers in, a row of results out for each.
 //!
-//! Results go to standard output as they come, 17 significant digits each. At the first bad row the program stops:
+//! Results go to standard output as they come, 17 significant digits each, blank separated. At the first bad row the program stops:
 //! results of the rows before it stand on standard output, the line, column and reason on standard error, and the
 //! exit code is 2.
 
-use crate::call::one_row;
 use crate::ledger::Entry;
 use crate::names::{self, methods_of, unknown};
 use crate::promise::bound_on_error;
@@ -94,7 +93,11 @@ pub fn evaluate(function: &Function, method: &Method, input: impl BufRead, outpu
     let mut row = Vec::with_capacity(names.len());
     let end = loop {
         match rows.next(&mut row)? {
-            Next::Row => writeln!(output, "{:.16e}", one_row(&method.call, &row))?,
+            Next::Row => {
+                let results = method.call.evaluate(&row);
+                let words: Vec<String> = results.iter().map(|x| format!("{x:.16e}")).collect();
+                writeln!(output, "{}", words.join(" "))?;
+            }
             Next::End => break End::Complete,
             Next::Bad(refusal) => break End::Refused(refusal.to_string()),
         }

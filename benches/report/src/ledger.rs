@@ -1,4 +1,4 @@
-//! The ledger `data/accuracy.csv`: one row a method, with its error over its domain, its promise and its cost.
+//! The ledger `data/accuracy.csv`: one row a method and domain, with its error there, its promise and its cost.
 //!
 //! Error columns are functions of the code and the seed. The columns `device`, `ns` and `cost` come from a clock
 //! and are rewritten by a full run only.
@@ -44,7 +44,9 @@ pub struct Entry {
     pub max_ulp: f64,
     /// Largest relative error in units of the method's epsilon.
     pub max_eps: f64,
-    /// Share of results with the wrong sign.
+    /// Largest error as a multiple of the function's own scale; not a number where it has none.
+    pub max_peak: f64,
+    /// Share of results with the wrong sign, or of complex ones that point away from the truth.
     pub wrong_sign: f64,
     /// Number of results that are not finite where the truth is.
     pub non_finite: u64,
@@ -61,7 +63,7 @@ pub struct Entry {
 }
 
 /// Column titles, in order.
-pub const COLUMNS: [&str; 24] = [
+pub const COLUMNS: [&str; 25] = [
     "function",
     "method",
     "precision",
@@ -79,6 +81,7 @@ pub const COLUMNS: [&str; 24] = [
     "p999_rel",
     "max_ulp",
     "max_eps",
+    "max_peak",
     "wrong_sign",
     "non_finite",
     "worst_input",
@@ -107,14 +110,23 @@ pub fn charted_error(function: &str) -> &'static str {
     match function {
         "sinc_squared_integral" | "sinc_squared_integral_turns" => "99.9th percentile of the relative error",
         "sine" | "cosine" => "largest absolute error",
+        "erf_difference_scaled" => "largest error as a multiple of the value at b = 0",
+        "faddeeva_w" => "largest norm-wise error, upper half plane",
         _ => "largest relative error",
     }
 }
 
 impl Entry {
-    /// What names the row: function, method, precision and call.
+    /// What names the method: function, method, precision and call. Of the rows of one method the first is that of its
+    /// main domain; it alone has a time.
     pub fn key(&self) -> (&str, &str, Precision, &str) {
         (&self.function, &self.method, self.precision, &self.call)
+    }
+
+    /// Whether it is the row of the same method on the same domain, with a promise of the same kind.
+    pub fn is_row_of(&self, other: &Entry) -> bool {
+        let metric = |e: &Entry| e.budget.map(|b| b.metric);
+        self.key() == other.key() && self.domain == other.domain && metric(self) == metric(other)
     }
 
     /// The measured error in the budget's measure.
@@ -124,6 +136,7 @@ impl Entry {
             Metric::Eps => self.max_eps,
             Metric::Absolute => self.max_abs,
             Metric::Relative => self.max_rel,
+            Metric::Peak => self.max_peak,
         }
     }
 
@@ -136,6 +149,7 @@ impl Entry {
         match self.function.as_str() {
             "sinc_squared_integral" | "sinc_squared_integral_turns" => self.p999_rel,
             "sine" | "cosine" => self.max_abs,
+            "erf_difference_scaled" => self.max_peak,
             _ => self.max_rel,
         }
     }
@@ -161,6 +175,11 @@ impl Entry {
             error_text(self.p999_rel),
             error_text(self.max_ulp),
             error_text(self.max_eps),
+            if self.max_peak.is_nan() {
+                String::new()
+            } else {
+                error_text(self.max_peak)
+            },
             error_text(self.wrong_sign),
             self.non_finite.to_string(),
             worst.join(" "),
@@ -206,6 +225,10 @@ impl Entry {
             p999_rel: parse(next()?)?,
             max_ulp: parse(next()?)?,
             max_eps: parse(next()?)?,
+            max_peak: match next()? {
+                "" => f64::NAN,
+                text => parse(text)?,
+            },
             wrong_sign: parse(next()?)?,
             non_finite: parse(next()?)?,
             worst: next()?
@@ -268,6 +291,7 @@ pub(crate) fn sample(method: &str, origin: Origin, precision: Precision, ns: f64
         p999_rel: 0.9 * max_rel,
         max_ulp: 0.7,
         max_eps: 0.7,
+        max_peak: f64::NAN,
         wrong_sign: 0.0,
         non_finite: 0,
         worst: vec![-3.5],
@@ -289,6 +313,7 @@ mod tests {
             sample("fit", Origin::Published, Precision::F32, 0.25, 3.0e-2),
         ];
         entries[1].worst = vec![f64::INFINITY, -0.0];
+        entries[1].max_peak = 0.5;
         let text = write(&entries);
         let again = read(&text).expect("what was written can be read");
         assert!(again.iter().map(Entry::record).eq(entries.iter().map(Entry::record)));

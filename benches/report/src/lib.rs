@@ -1,13 +1,15 @@
 //! The parts of the program `report`.
 //!
 //! Measuring (`measured`, `timing`, `series`) writes numbers: `data/accuracy.csv` and `data/charts/*.csv`. Drawing
-//! (`render`, `chart`, `tables`, `pages`) reads only those numbers, so it can be repeated and checked anywhere.
+//! (`render`, `chart`, `tables`, `overview`, `goals`, `pages`) reads only those numbers, so it can be repeated and checked
+//! anywhere; `exact` alone counts anew, on fixed rows.
 
 pub mod axis_points;
 pub mod budget_text;
-pub mod call;
 pub mod chart;
+pub mod digit_map;
 pub mod eval;
+pub mod exact;
 pub mod front;
 pub mod goals;
 pub mod hex_float;
@@ -15,6 +17,7 @@ pub mod ledger;
 pub mod measured;
 pub mod names;
 pub mod number_table;
+pub mod overview;
 pub mod pages;
 pub mod promise;
 pub mod render;

@@ -5,7 +5,7 @@ use crate::names::{self, methods_of};
 use crate::{series, timing};
 use indicatif::{ProgressBar, ProgressStyle};
 use reference::measure::{self, Accuracy};
-use reference::metrics::Reference;
+use reference::metrics::Truth;
 use reference::registry::{Function, Method, Origin, Precision, functions};
 use std::time::Duration;
 
@@ -27,13 +27,13 @@ pub struct Effort {
 pub const FULL: Effort = Effort {
     points: 1_000_000,
     samples: 24,
-    timing: Duration::from_secs(10),
+    timing: Duration::from_secs(3),
 };
 /// Effort of `--quick`.
 pub const QUICK: Effort = Effort {
     points: 4_000,
     samples: 3,
-    timing: Duration::from_millis(700),
+    timing: Duration::from_millis(500),
 };
 
 /// A bar on standard error, absent where that is no terminal.
@@ -68,6 +68,7 @@ pub fn entry(function: &Function, method: &Method, a: Accuracy) -> Entry {
         p999_rel: a.p999_rel,
         max_ulp: a.max_ulp,
         max_eps: a.max_eps,
+        max_peak: a.max_peak.unwrap_or(f64::NAN),
         wrong_sign: a.wrong_sign as f64 / a.points as f64,
         non_finite: a.non_finite as u64,
         worst: a.worst_input,
@@ -85,7 +86,7 @@ pub fn accuracies(effort: Effort) -> Vec<Entry> {
     let mut entries = Vec::with_capacity(count);
     for f in functions() {
         // Methods of one domain share its points and their truths.
-        let mut shared: Vec<(&str, Vec<f64>, Vec<Reference>)> = Vec::new();
+        let mut shared: Vec<(&str, Vec<f64>, Vec<Truth>)> = Vec::new();
         for m in methods_of(f.name) {
             progress.set_message(format!(
                 "error of {} / {} ({})",
@@ -93,14 +94,16 @@ pub fn accuracies(effort: Effort) -> Vec<Entry> {
                 m.method,
                 names::precision(m.precision)
             ));
-            let domain = m.domain.name;
-            if !shared.iter().any(|(name, ..)| *name == domain) {
-                let rows = (m.domain.rows)(SEED, effort.points);
-                let truths = measure::truths(f, &rows);
-                shared.push((domain, rows, truths));
-            }
-            for (_, rows, truths) in shared.iter().filter(|(name, ..)| *name == domain) {
-                entries.push(entry(f, m, measure::accuracy_against(m, rows, truths)));
+            for m in m.on_each_domain() {
+                let domain = m.domain.name;
+                if !shared.iter().any(|(name, ..)| *name == domain) {
+                    let rows = (m.domain.rows)(SEED, effort.points / f.thinning);
+                    let truths = measure::truths(f, &rows);
+                    shared.push((domain, rows, truths));
+                }
+                for (_, rows, truths) in shared.iter().filter(|(name, ..)| *name == domain) {
+                    entries.push(entry(f, &m, measure::accuracy_against(&m, rows, truths)));
+                }
             }
             progress.inc(1);
         }
@@ -141,20 +144,20 @@ fn find(function: &str, want: impl Fn(&Method) -> bool) -> Result<&'static Metho
         .ok_or_else(|| format!("{function} has no such f64 method"))
 }
 
-/// The best peer of the sine integral: the f64 peer with the smallest largest error in ulp.
-pub fn best_peer(entries: &[Entry]) -> Result<&'static Method, String> {
+/// The best peer of a function: the f64 peer with the smallest largest error in ulp.
+pub fn best_peer(function: &str, entries: &[Entry]) -> Result<&'static Method, String> {
     let best = entries
         .iter()
-        .filter(|e| e.function == "sine_integral" && e.origin == Origin::Peer && e.precision == Precision::F64)
+        .filter(|e| e.function == function && e.origin == Origin::Peer && e.precision == Precision::F64)
         .min_by(|a, b| a.max_ulp.total_cmp(&b.max_ulp))
-        .ok_or("the sine integral has no f64 peer")?;
-    find("sine_integral", |m| m.method == best.method)
+        .ok_or_else(|| format!("{function} has no f64 peer"))?;
+    find(function, |m| m.method == best.method)
 }
 
 /// The ulp plot as CSV, with this peer.
 pub fn ulp(peer: &Method, effort: Effort) -> Result<String, String> {
-    let function = names::function("sine_integral")?;
-    let ours = find("sine_integral", |m| m.origin == Origin::Ours)?;
+    let function = names::function(peer.function)?;
+    let ours = find(peer.function, |m| m.origin == Origin::Ours)?;
     Ok(series::write_ulp(
         &series::ulp_bins(function, ours, peer, effort.samples),
         peer.method,

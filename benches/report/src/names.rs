@@ -21,10 +21,7 @@ pub fn origin(o: Origin) -> &'static str {
 
 /// `scalar` or `slice`.
 pub fn call(c: &Call) -> &'static str {
-    match c {
-        Call::F64(_) | Call::F64Pair(_) | Call::F32(_) | Call::F32Pair(_) | Call::F32Triple(_) => "scalar",
-        Call::F64Slice(_) | Call::F64PairSlice(_) | Call::F32Slice(_) | Call::F32PairSlice(_) => "slice",
-    }
+    if c.is_slice() { "slice" } else { "scalar" }
 }
 
 /// The registered function of a name, or what to say about the unknown one.

@@ -7,6 +7,9 @@ use reference::registry::{Budget, Metric, Precision};
 /// How many times looser than the measurement a bound may be.
 pub const LOOSEST: f64 = 4.0;
 
+/// Largest value of any function's scale, [`reference::registry::Function::peak`].
+const LARGEST_PEAK: f64 = 2.0;
+
 /// What a measurement says about a promise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
@@ -56,7 +59,8 @@ pub fn complaint(entry: &Entry) -> Option<String> {
 }
 
 /// The bound `e` of a budget such that |error| <= e max(1, |truth|): absolute bounds and relative bounds both
-/// imply it. One ulp is at most one epsilon of a normal result.
+/// imply it. One ulp is at most one epsilon of a normal result; of a complex one |error| and |truth| are norms, and an ulp
+/// of each component is at most sqrt(2) epsilon of the norm.
 pub fn bound_on_error(budget: Budget, precision: Precision) -> f64 {
     let epsilon = match precision {
         Precision::F64 => f64::EPSILON,
@@ -65,6 +69,7 @@ pub fn bound_on_error(budget: Budget, precision: Precision) -> f64 {
     match budget.metric {
         Metric::Ulp | Metric::Eps => budget.bound * epsilon,
         Metric::Absolute | Metric::Relative => budget.bound,
+        Metric::Peak => LARGEST_PEAK * budget.bound,
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::ledger::{self, COLUMNS, Entry};
 use crate::measured::{self, FULL, QUICK};
 use crate::render::{self, File, Numbers};
-use crate::{names, number_table, series, summary};
+use crate::{digit_map, names, number_table, series, summary};
 use reference::registry::Origin;
 use std::path::{Path, PathBuf};
 
@@ -13,6 +13,13 @@ pub const LEDGER: &str = "data/accuracy.csv";
 pub const ULP: &str = "data/charts/sine_integral_ulp.csv";
 /// Path of the failure map's numbers.
 pub const MAP: &str = "data/charts/sinc_squared_integral_failures.csv";
+
+/// Path of the numbers of the scaled Bessel function's ulp plot.
+pub const BESSEL_ULP: &str = "data/charts/bessel_i0_scaled_ulp.csv";
+/// Path of the map of w over the complex plane.
+pub const PLANE: &str = "data/charts/faddeeva_w_digits.csv";
+/// Path of the map of the spatial phase over the hemisphere.
+pub const PHASE: &str = "data/charts/spatial_phase_digits.csv";
 
 /// What to do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,7 +63,7 @@ pub fn run(mode: Mode, out: Option<PathBuf>) -> Result<Report, String> {
         Mode::Render => {
             let numbers = committed()?;
             let mut files = render::charts(&numbers)?;
-            files.extend(render::renewed_pages(&root(), &numbers.entries)?);
+            files.extend(render::renewed_pages(&root(), &numbers)?);
             let target = out.unwrap_or_else(root);
             write(&target, &files)?;
             Ok(Report {
@@ -71,8 +78,13 @@ fn measure(effort: measured::Effort, target: PathBuf) -> Result<Report, String> 
     let mut entries = measured::accuracies(effort);
     measured::times(&mut entries, effort);
     let numbers = Numbers {
-        ulp: measured::ulp(measured::best_peer(&entries)?, effort)?,
+        ulp: measured::ulp(measured::best_peer("sine_integral", &entries)?, effort)?,
         map: measured::map()?,
+        bessel_ulp: measured::best_peer("bessel_i0_scaled", &entries)
+            .and_then(|peer| measured::ulp(peer, effort))
+            .ok(),
+        plane: Some(digit_map::write(&digit_map::faddeeva_w()?)),
+        phase: Some(digit_map::write(&digit_map::spatial_phase()?)),
         entries,
     };
     let mut files = vec![
@@ -80,13 +92,20 @@ fn measure(effort: measured::Effort, target: PathBuf) -> Result<Report, String> 
         (PathBuf::from(ULP), numbers.ulp.clone()),
         (PathBuf::from(MAP), numbers.map.clone()),
     ];
+    for (path, text) in [
+        (BESSEL_ULP, &numbers.bessel_ulp),
+        (PLANE, &numbers.plane),
+        (PHASE, &numbers.phase),
+    ] {
+        files.extend(text.iter().map(|text| (PathBuf::from(path), text.clone())));
+    }
     // The ledger keeps five digits; what is drawn must follow from what is written.
     let numbers = Numbers {
         entries: ledger::read(&files[0].1)?,
         ..numbers
     };
     files.extend(render::charts(&numbers)?);
-    files.extend(render::renewed_pages(&root(), &numbers.entries)?);
+    files.extend(render::renewed_pages(&root(), &numbers)?);
     write(&target, &files)?;
     let text = format!(
         "{}written below {}:\n{}",
@@ -128,13 +147,16 @@ pub fn committed() -> Result<Numbers, String> {
         entries: ledger::read(&read(LEDGER)?)?,
         ulp: read(ULP)?,
         map: read(MAP)?,
+        bessel_ulp: read(BESSEL_ULP).ok(),
+        plane: read(PLANE).ok(),
+        phase: read(PHASE).ok(),
     })
 }
 
 /// Where charts and pages drawn from the committed numbers differ from the committed files.
 pub fn stale_drawings(numbers: &Numbers) -> Result<Vec<String>, String> {
     let mut files = render::charts(numbers)?;
-    files.extend(render::renewed_pages(&root(), &numbers.entries)?);
+    files.extend(render::renewed_pages(&root(), numbers)?);
     Ok(files.iter().filter_map(|(path, text)| stale(path, text)).collect())
 }
 
@@ -151,12 +173,13 @@ fn stale(path: &Path, text: &str) -> Option<String> {
 /// Columns that come from a clock or name the machine.
 const CLOCK: [&str; 4] = ["device", "ns", "cost", "baseline"];
 /// Error columns, which may differ by a tenth for methods on the platform's maths.
-const ERRORS: [&str; 7] = [
+const ERRORS: [&str; 8] = [
     "max_abs",
     "max_rel",
     "p999_rel",
     "max_ulp",
     "max_eps",
+    "max_peak",
     "wrong_sign",
     "non_finite",
 ];
@@ -184,18 +207,21 @@ pub fn row_difference(committed: &Entry, fresh: &Entry) -> Option<String> {
     None
 }
 
+/// How the methods of optional peers begin.
+const OPTIONAL: [&str; 2] = ["gsl", "libcerf"];
+
 /// Whether a row's method is registered only where a feature asks for it, and so not in every build.
 fn behind_feature(entry: &Entry) -> bool {
-    entry.origin == Origin::Peer && entry.method.starts_with("gsl")
+    entry.origin == Origin::Peer && OPTIONAL.iter().any(|name| entry.method.starts_with(name))
 }
 
 /// Measures the ulp plot again with the committed peer. A peer that this build lacks is replaced by the best it has, and
 /// its column is not compared.
-fn ulp_difference(committed: &str, fresh: &[Entry]) -> Result<Option<String>, String> {
+fn ulp_difference(function: &str, committed: &str, fresh: &[Entry]) -> Result<Option<String>, String> {
     let (_, name) = series::read_ulp(committed)?;
-    let best = measured::best_peer(fresh)?;
-    let registered = fresh.iter().any(|e| e.function == "sine_integral" && e.method == name);
-    if registered && best.method != name && !best.method.starts_with("gsl") {
+    let best = measured::best_peer(function, fresh)?;
+    let registered = fresh.iter().any(|e| e.function == function && e.method == name);
+    if registered && best.method != name && !OPTIONAL.iter().any(|o| best.method.starts_with(o)) {
         return Ok(Some(format!("the best peer is {}, the file has {name}", best.method)));
     }
     let measured = measured::ulp(best, FULL)?;
@@ -210,21 +236,36 @@ fn check() -> Result<Report, String> {
     let fresh = measured::accuracies(FULL);
     let mut found = Vec::new();
     for e in &fresh {
-        match numbers.entries.iter().find(|c| c.key() == e.key()) {
+        match numbers.entries.iter().find(|c| c.is_row_of(e)) {
             Some(c) => found.extend(row_difference(c, e)),
             None if behind_feature(e) => {}
             None => found.push(format!("{LEDGER}: {} / {} is missing", e.function, e.method)),
         }
     }
     for c in &numbers.entries {
-        if !behind_feature(c) && !fresh.iter().any(|e| e.key() == c.key()) {
+        if !behind_feature(c) && !fresh.iter().any(|e| e.is_row_of(c)) {
             found.push(format!(
                 "{LEDGER}: {} / {} is no longer registered",
                 c.function, c.method
             ));
         }
     }
-    found.extend(ulp_difference(&numbers.ulp, &fresh)?.map(|e| format!("{ULP}: {e}")));
+    found.extend(ulp_difference("sine_integral", &numbers.ulp, &fresh)?.map(|e| format!("{ULP}: {e}")));
+    if let Some(committed) = &numbers.bessel_ulp {
+        let difference = ulp_difference("bessel_i0_scaled", committed, &fresh)?;
+        found.extend(difference.map(|e| format!("{BESSEL_ULP}: {e}")));
+    }
+    for (path, committed, fresh) in [
+        (PLANE, &numbers.plane, digit_map::faddeeva_w()?),
+        (PHASE, &numbers.phase, digit_map::spatial_phase()?),
+    ] {
+        match committed {
+            Some(committed) => {
+                found.extend(digit_map::difference(committed, &fresh)?.map(|e| format!("{path}: {e}")));
+            }
+            None => found.push(format!("{path} is missing")),
+        }
+    }
     found.extend(
         number_table::same_table(&numbers.map, &measured::map()?, &[], &[])
             .err()

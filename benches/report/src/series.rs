@@ -1,10 +1,9 @@
-//! Measured series behind the plots, kept as CSV in `data/charts`: the error of the sine integral in ulp over x, and the
-//! map of errors of the arc integral over its start and length. All points follow from the grid alone; no clock.
+//! Measured series behind the plots, kept as CSV in `data/charts`: the errors of functions of one variable in ulp over x,
+//! and the map of errors of the arc integral over its start and length. All points follow from the grid alone; no clock.
 
 use crate::axis_points::logarithmic;
-use crate::call::one_row;
 use crate::number_table;
-use reference::metrics::{relative_error, ulp_error, wrong_sign};
+use reference::metrics::{Reference, Truth, relative_error, ulp_error, wrong_sign};
 use reference::registry::{Call, Function, Method, Precision};
 use std::fmt::Write;
 
@@ -43,6 +42,21 @@ pub struct Cell {
     pub ours: (f64, bool),
 }
 
+/// The truth of a real function.
+fn real(truth: Truth) -> Reference {
+    match truth {
+        Truth::Real(x) | Truth::Complex([x, _]) => x,
+    }
+}
+
+/// x f'(x)/f(x) of a function with an ulp plot, where `value` is f(x).
+fn conditioning(function: &Function, x: f64, value: f64) -> f64 {
+    match function.name {
+        "bessel_i0_scaled" => x * (reference::oracle::bessel_i1_i0_ratio(x).hi - 1.0),
+        _ => libm::sin(x) / value,
+    }
+}
+
 /// Measures the ulp plot with `samples` points a bin.
 pub fn ulp_bins(function: &Function, ours: &Method, peer: &Method, samples: usize) -> Vec<UlpBin> {
     (0..BINS)
@@ -56,11 +70,13 @@ pub fn ulp_bins(function: &Function, ours: &Method, peer: &Method, samples: usiz
             };
             for j in 0..samples {
                 let x = edge(i as f64 + (j as f64 + 0.5) / samples as f64);
-                let truth = (function.oracle)(&[x]);
-                let error = |m: &Method| ulp_error(one_row(&m.call, &[x]), &truth, Precision::F64);
+                let truth = real(function.truth(&[x]));
+                let error = |m: &Method| ulp_error(m.call.evaluate(&[x])[0], &truth, Precision::F64);
                 bin.ours = bin.ours.max(error(ours));
                 bin.peer = bin.peer.max(error(peer));
-                bin.envelope = bin.envelope.max(0.5 * libm::fabs(libm::sin(x) / truth.hi) + 0.5);
+                bin.envelope = bin
+                    .envelope
+                    .max(0.5 * libm::fabs(conditioning(function, x, truth.hi)) + 0.5);
             }
             bin
         })
@@ -106,7 +122,7 @@ pub fn arc_at(column: f64, row: f64) -> [f64; 2] {
 
 /// Measures the map, row by row from the shortest length, on both cores.
 pub fn failure_map(function: &Function, published: &Method, ours: &Method) -> Vec<Cell> {
-    let (oracle, calls) = (function.oracle, [published.call, ours.call]);
+    let calls = [published.call, ours.call];
     let count = MAP[0] * MAP[1];
     let mut cells = vec![
         Cell {
@@ -121,7 +137,7 @@ pub fn failure_map(function: &Function, published: &Method, ours: &Method) -> Ve
         for (part, slot) in cells.chunks_mut(share).enumerate() {
             scope.spawn(move || {
                 for (k, cell) in slot.iter_mut().enumerate() {
-                    *cell = measure_cell(part * share + k, oracle, &calls);
+                    *cell = measure_cell(part * share + k, function, &calls);
                 }
             });
         }
@@ -129,7 +145,7 @@ pub fn failure_map(function: &Function, published: &Method, ours: &Method) -> Ve
     cells
 }
 
-fn measure_cell(index: usize, oracle: fn(&[f64]) -> reference::metrics::Reference, calls: &[Call; 2]) -> Cell {
+fn measure_cell(index: usize, function: &Function, calls: &[Call; 2]) -> Cell {
     let (column, row) = (index % MAP[0], index / MAP[0]);
     let mut found = [(0.0_f64, false); 2];
     for j in 0..CELL_POINTS {
@@ -137,9 +153,9 @@ fn measure_cell(index: usize, oracle: fn(&[f64]) -> reference::metrics::Referenc
         // A lattice over the cell: the second coordinate steps by 2/5 turns of the first.
         let [start, length] = arc_at(column as f64 + part, row as f64 + (2.0 * part + 0.1) % 1.0);
         let arc = [start, start + length];
-        let truth = oracle(&arc);
+        let truth = real(function.truth(&arc));
         for (slot, call) in found.iter_mut().zip(calls) {
-            let result = one_row(call, &arc);
+            let result = call.evaluate(&arc)[0];
             slot.0 = slot.0.max(relative_error(result, &truth, Precision::F64));
             slot.1 |= wrong_sign(result, &truth);
         }

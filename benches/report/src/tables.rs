@@ -2,11 +2,12 @@
 
 use crate::budget_text::metric;
 use crate::ledger::Entry;
-use crate::{goals, names};
+use crate::{goals, names, overview};
 use reference::registry::{Metric, Origin};
 
 /// A table by name, or what is wrong with the name.
 ///
+/// - `summary`: one row a function, its accurate method in f64 and f32 and the time against the best peer;
 /// - `accuracy`: every method of every function;
 /// - `accuracy FUNCTION`: every method of one function;
 /// - `methods FUNCTION` or `FUNCTION` alone: the crate's own and published methods of one function;
@@ -22,6 +23,7 @@ pub fn table(name: &str, entries: &[Entry]) -> Result<String, String> {
         }
     };
     match words.as_slice() {
+        ["summary"] => Ok(overview::table(entries)),
         ["accuracy"] => Ok(accuracy(&entries.iter().collect::<Vec<_>>(), true)),
         ["accuracy", function] => Ok(accuracy(&of(function)?, false)),
         ["goals"] => Ok(goals::table(entries)),
@@ -56,10 +58,12 @@ pub fn with_unit(value: f64, m: Metric) -> String {
         Metric::Ulp | Metric::Eps => format!("{text} {}", metric(m)),
         Metric::Absolute => format!("{text} abs."),
         Metric::Relative => format!("{text} rel."),
+        Metric::Peak => format!("{text} of peak"),
     }
 }
 
-fn promise(e: &Entry) -> String {
+/// The promise of a row, in words.
+pub fn promise(e: &Entry) -> String {
     e.budget
         .map_or("none".to_string(), |b| with_unit_exact(b.bound, b.metric))
 }
@@ -70,9 +74,13 @@ fn with_unit_exact(bound: f64, m: Metric) -> String {
         Metric::Eps => "eps",
         Metric::Absolute => "abs.",
         Metric::Relative => "rel.",
+        Metric::Peak => "of peak",
     };
+    let epsilons = bound / f64::EPSILON;
     if (1e-2..1e3).contains(&bound) {
         format!("{bound} {unit}")
+    } else if m == Metric::Peak && epsilons < 1e3 && epsilons.fract() == 0.0 {
+        format!("{epsilons} eps {unit}")
     } else {
         format!("{bound:e} {unit}")
     }
@@ -89,6 +97,17 @@ fn cost(e: &Entry) -> String {
 fn name(e: &Entry) -> String {
     let form = if e.call == "slice" { ", slice" } else { "" };
     format!("`{}`{form}", e.method)
+}
+
+/// What a row is: the method's label, and of its further rows the domain.
+fn what(e: &Entry, rows: &[&Entry]) -> String {
+    let main = rows.iter().find(|other| other.key() == e.key());
+    let text = match main {
+        Some(main) if !std::ptr::eq(*main, e) && main.domain == e.domain => "the same, by another measure".to_string(),
+        Some(main) if !std::ptr::eq(*main, e) => format!("the same on {}", e.domain),
+        _ => e.label.clone(),
+    };
+    text.replace('|', "\\|")
 }
 
 fn worst(e: &Entry) -> String {
@@ -119,7 +138,7 @@ fn accuracy(rows: &[&Entry], with_function: bool) -> String {
         text.push_str(&format!(
             "| {} | {} ({}) | {} | {} | {} | {} | {} | {sign} | {} | {} | {} |\n",
             name(e),
-            e.label.replace('|', "\\|"),
+            what(e, rows),
             names::origin(e.origin),
             names::precision(e.precision),
             short(e.max_abs),
@@ -145,7 +164,7 @@ fn methods(rows: &[&Entry]) -> String {
         text.push_str(&format!(
             "| {} | {} | {} | {error} | {} | {} |\n",
             name(e),
-            e.label.replace('|', "\\|"),
+            what(e, rows),
             names::precision(e.precision),
             promise(e),
             cost(e)
@@ -172,6 +191,28 @@ mod tests {
             (1e308, "not finite"),
         ] {
             assert_eq!(short(value), text);
+        }
+    }
+
+    #[test]
+    fn a_promise_of_epsilons_of_the_peak_says_so() {
+        assert_eq!(with_unit_exact(6.0 * f64::EPSILON, Metric::Peak), "6 eps of peak");
+        assert_eq!(with_unit_exact(1e-5, Metric::Peak), "1e-5 of peak");
+        assert_eq!(with_unit_exact(0.75, Metric::Ulp), "0.75 ulp");
+    }
+
+    #[test]
+    fn further_rows_of_a_method_say_on_which_domain_they_are() {
+        let mut entries = [0; 3].map(|_| sample("accurate", Origin::Ours, Precision::F64, 10.0, 1e-16));
+        entries[2].domain = "|z| < 2".to_string();
+        let text = table("accuracy sine_integral", &entries).expect("known");
+        let rows: Vec<&str> = text.lines().skip(2).collect();
+        for (row, what) in rows.iter().zip([
+            "| accurate, in words (ours) |",
+            "| the same, by another measure (ours) |",
+            "| the same on \\|z\\| < 2 (ours) |",
+        ]) {
+            assert!(row.contains(what), "{row}");
         }
     }
 

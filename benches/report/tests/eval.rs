@@ -1,38 +1,18 @@
 //! The program's command line, run as a program: `report eval` and `report list`.
 
+mod program;
+
+use program::{lines, report, rows};
 use std::io::Write;
 use std::process::{Command, Output, Stdio};
 
-fn report(arguments: &[&str], input: &str) -> Output {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_report"))
-        .args(arguments)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the program starts");
-    let mut stdin = child.stdin.take().expect("piped");
-    let input = input.as_bytes().to_vec();
-    // A refused row ends the reading; what is still unwritten then meets a closed pipe.
-    let writer = std::thread::spawn(move || drop(stdin.write_all(&input)));
-    let output = child.wait_with_output().expect("the program ends");
-    writer.join().expect("the writer ends");
-    output
-}
-
-fn lines(bytes: &[u8]) -> Vec<String> {
-    String::from_utf8(bytes.to_vec())
-        .expect("UTF-8")
-        .lines()
-        .map(str::to_string)
-        .collect()
-}
-
+/// The only number of each line.
 fn numbers(output: &Output) -> Vec<f64> {
-    lines(&output.stdout)
-        .iter()
-        .map(|l| l.parse().expect("a number"))
-        .collect()
+    let only = |row: Vec<f64>| match row[..] {
+        [number] => number,
+        _ => panic!("{} numbers in a line", row.len()),
+    };
+    rows(output).into_iter().map(only).collect()
 }
 
 #[test]

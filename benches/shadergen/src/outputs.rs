@@ -7,11 +7,16 @@ use crate::module::{Translation, translate};
 
 /// Kernel files below `src/shader`, each after those it calls. `gpu.rs` is the Rust side of WGSL's built-ins and
 /// is not translated.
-pub const SOURCES: [&str; 4] = [
+pub const SOURCES: [&str; 9] = [
     "coefficients.rs",
     "elementary.rs",
     "sine_integral.rs",
     "sinc_squared_integral.rs",
+    "bessel_coefficients.rs",
+    "bessel.rs",
+    "faddeeva_coefficients.rs",
+    "faddeeva.rs",
+    "erf_difference.rs",
 ];
 
 /// A generated file.

@@ -44,6 +44,25 @@ pub const CATALOGUE: &[Entry] = &[
     plain("sinc_squared_integral_turns", 3, |x, y| {
         y[0] = shader::sinc_squared_integral_turns(x[0], x[1], x[2])
     }),
+    plain("bessel_i0_scaled", 1, |x, y| y[0] = shader::bessel_i0_scaled(x[0])),
+    plain("log_bessel_izero", 1, |x, y| y[0] = shader::log_bessel_izero(x[0])),
+    plain("bessel_ratio", 1, |x, y| y[0] = shader::bessel_ratio(x[0])),
+    complex("faddeeva_w", 2, |z, y| {
+        let w = shader::faddeeva_w(z[0], z[1]);
+        y.copy_from_slice(&[w.re, w.im]);
+    }),
+    complex("faddeeva_w_coarse", 2, |z, y| {
+        let w = shader::faddeeva_w_coarse(z[0], z[1]);
+        y.copy_from_slice(&[w.re, w.im]);
+    }),
+    complex("erf_difference_scaled", 3, |x, y| {
+        let difference = shader::erf_difference_scaled(x[0], x[1], x[2]);
+        y.copy_from_slice(&[difference.re, difference.im]);
+    }),
+    complex("erf_difference_scaled_turns", 5, |x, y| {
+        let difference = shader::erf_difference_scaled_turns(x[0], x[1], x[2], x[3], x[4]);
+        y.copy_from_slice(&[difference.re, difference.im]);
+    }),
     plain("exponential", 1, |x, y| y[0] = shader::exponential(x[0])),
     Entry {
         name: "sine_cosine",
@@ -71,6 +90,16 @@ pub const fn plain(name: &'static str, arguments: usize, call: fn(&[f32], &mut [
         name,
         arguments,
         fields: &[],
+        call,
+    }
+}
+
+/// A function with a complex result.
+pub const fn complex(name: &'static str, arguments: usize, call: fn(&[f32], &mut [f32])) -> Entry {
+    Entry {
+        name,
+        arguments,
+        fields: &["re", "im"],
         call,
     }
 }

@@ -1,6 +1,7 @@
 //! Rows of inputs: uniform, logarithmic, around region borders, and the edges of the format.
 
 use std::f32::consts::FRAC_PI_2;
+use std::f64::consts::{PI, TAU};
 
 /// Number of rows of the uniform and of the logarithmic part.
 pub const ROWS: usize = 65_536;
@@ -106,12 +107,59 @@ fn scratches() -> Vec<f32> {
         .collect()
 }
 
+/// Points of the complex plane, two numbers to a row: about the origin, beside the axes, around the circle |z| = 2, far.
+fn plane() -> Vec<f32> {
+    let square = (0..ROWS / 2).map(|i| [3.0 * between(i, 30), 3.0 * between(i, 31)]);
+    let beside = (0..ROWS / 4).map(|i| {
+        let point = [6.0 * between(i, 32), logarithmic(i, 33, 1e-12, 1.0)];
+        if i % 4 < 2 { point } else { [point[1], point[0]] }
+    });
+    let polar = (0..ROWS / 4).map(|i| {
+        let size = if i % 2 == 0 {
+            2.0 + 1e-6 * f64::from(between(i, 34))
+        } else {
+            f64::from(logarithmic(i, 35, 1e-6, 1e18).abs())
+        };
+        let (sine, cosine) = (TAU * fraction(i, 36)).sin_cos();
+        [(size * cosine) as f32, (size * sine) as f32]
+    });
+    square.chain(beside).chain(polar).flatten().collect()
+}
+
+/// Segments a_from, a_to on a line at height b: long and short, in either order, over the origin, to where nothing is left.
+fn segments() -> impl Iterator<Item = [f32; 3]> {
+    (0..ROWS).map(|i| {
+        let from = 2.0 * between(i, 40);
+        let to = match i % 8 {
+            0 | 1 => 2.0 * between(i, 41),
+            2 => -from,
+            3 if i % 5 == 0 => from,
+            4 if i % 7 == 0 => 30.0,
+            _ => from + logarithmic(i / 8, 42, 1e-5, 1.0),
+        };
+        let height = logarithmic(i / 2, 43, 1e-2, 1e3);
+        [from, to, if i % 2 == 0 { height } else { -height }]
+    })
+}
+
+/// The same with the turns of both ends, whole turns taken off.
+fn segments_in_turns() -> Vec<f32> {
+    let turns = |a: f32, b: f32| {
+        let turns = f64::from(a) * f64::from(b) / PI;
+        (turns - turns.round()) as f32
+    };
+    segments()
+        .flat_map(|[from, to, b]| [from, to, b, turns(from, b), turns(to, b)])
+        .collect()
+}
+
 /// Rows for a function of `arguments` arguments.
 pub fn rows(arguments: usize) -> Vec<f32> {
     match arguments {
         1 => single(),
-        2 => pairs(),
-        3 => scratches(),
+        2 => pairs().into_iter().chain(plane()).collect(),
+        3 => scratches().into_iter().chain(segments().flatten()).collect(),
+        5 => segments_in_turns(),
         n => (0..ROWS * n)
             .map(|i| logarithmic(i / n, 8 + (i % n) as u64, 1e-3, 1e3))
             .collect(),

@@ -2,12 +2,13 @@
 //!
 //! `cargo run --release -p reference --example worst -- [points]`
 //!
-//! A row is appended where a method of ours errs more than on everything recorded so far and by more than half its budget.
+//! A row is appended to its function's file where a method of ours errs more than on everything recorded there and by more
+//! than half its budget.
 
 use reference::generate::worst;
 use reference::hexadecimal;
 use reference::measure::{accuracy, accuracy_on};
-use reference::registry::{Origin, Precision, functions, methods};
+use reference::registry::{Method, Origin, Precision, functions, methods};
 use std::io::Write;
 
 /// The recorded rows that a method of this precision is judged on.
@@ -29,19 +30,19 @@ fn main() -> std::io::Result<()> {
         .map_or(1, |t| t.as_secs());
     for f in functions() {
         let columns = f.inputs.len();
-        let mut recorded: Vec<f64> = worst::recorded(columns).into_iter().flatten().collect();
+        let mut recorded: Vec<f64> = worst::recorded_for(&[f.name]).into_iter().flatten().collect();
         let mut found = Vec::new();
-        for m in methods()
+        let own = methods()
             .iter()
-            .filter(|m| m.function == f.name && m.origin == Origin::Ours && !m.call.is_slice())
-        {
+            .filter(|m| m.function == f.name && m.origin == Origin::Ours && !m.call.is_slice());
+        for m in own.flat_map(Method::on_each_domain) {
             let budget = m.budget.expect("each of our methods has a budget");
-            let before = accuracy_on(m, &judged(&recorded, columns, m.precision)).maximum(budget.metric);
-            let now = accuracy(m, seed, points);
+            let before = accuracy_on(&m, &judged(&recorded, columns, m.precision)).maximum(budget.metric);
+            let now = accuracy(&m, seed, points / f.thinning);
             let error = now.maximum(budget.metric);
             println!(
-                "{} / {}: {error:.4e} {:?} at {:?}, recorded {before:.4e}",
-                f.name, m.label, budget.metric, now.worst_input
+                "{} / {} on {}: {error:.4e} {:?} at {:?}, recorded {before:.4e}",
+                f.name, m.label, m.domain.name, budget.metric, now.worst_input
             );
             if error > before && error > 0.5 * budget.bound {
                 recorded.extend(&now.worst_input);

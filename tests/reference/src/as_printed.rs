@@ -1,6 +1,11 @@
 //! Published formulas exactly as printed, with the platform's mathematics: what a reader gets who types them in.
 //!
 //! VWH18: Velinov, Werner, Hullin, Real-Time Rendering of Wave-Optical Effects on Scratched Surfaces, 2018.
+//! WVJH17: Werner, Velinov, Jakob, Hullin, Scratch Iridescence: Wave-Optical Rendering of Diffractive Surface Structure, 2017.
+
+use errorfunctions::ComplexErrorFunctions;
+use num_complex::Complex;
+use std::f64::consts::SQRT_2;
 
 const A0: f64 = 0.66142739;
 const B0: f64 = 0.38272292;
@@ -57,4 +62,48 @@ pub fn sinc_squared_integral_vwh18_27([q0, q1]: [f64; 2]) -> f64 {
 pub fn sinc_squared_integral_vwh18_27_f32(q0: f32, q1: f32) -> f32 {
     let bracket = |q: f32| sine_integral_vwh18_29_f32(2.0 * q) - q.sin().powi(2) / q;
     bracket(q1) - bracket(q0)
+}
+
+/// exp(-b^2) [erf(a2 + ib) - erf(a1 + ib)] as the factors stand in WVJH17 Eq. 23 and 24 and VWH18 Eq. 5, with the complex
+/// erf of crate `errorfunctions`.
+pub fn erf_difference([a1, a2, b]: [f64; 3]) -> Complex<f64> {
+    let erf = |a: f64| ComplexErrorFunctions::erf(Complex::new(a, b));
+    (-b * b).exp() * (erf(a2) - erf(a1))
+}
+
+/// The same in f32. Its erf is exact but for rounding to f32: no f32 implementation could give more.
+pub fn erf_difference_f32([a1, a2, b]: [f32; 3]) -> Complex<f32> {
+    let erf = |a: f32| {
+        let value = ComplexErrorFunctions::erf(Complex::new(f64::from(a), f64::from(b)));
+        Complex::new(value.re as f32, value.im as f32)
+    };
+    (-b * b).exp() * (erf(a2) - erf(a1))
+}
+
+/// A finite scratch before its coherence window, lengths in one unit: the coherence radius, the place of the window's
+/// centre along the scratch, and the ends of the scratch.
+#[derive(Clone, Copy, Debug)]
+pub struct Segment {
+    /// Coherence radius sigma.
+    pub sigma: f64,
+    /// s_t, where the scratch's origin lies along the tangent.
+    pub offset: f64,
+    /// l1 and l2.
+    pub ends: [f64; 2],
+}
+
+impl Segment {
+    /// a1, a2 and b of the two error functions of VWH18 Eq. 5: (s_t + l)/(sqrt2 sigma) and sigma k xi1/sqrt2.
+    pub fn arguments(&self, wave_number: f64, xi1: f64) -> [f64; 3] {
+        let [a1, a2] = self.ends.map(|l| (self.offset + l) / self.sigma / SQRT_2);
+        [a1, a2, self.sigma * wave_number * xi1 / SQRT_2]
+    }
+}
+
+/// VWH18 Eq. 5: the difference of erf(((s_t + h)/sigma + i sigma k xi1)/sqrt2) between h = l1 and h = l2. It grows like
+/// exp(b^2); the factor exp(-b^2) stands apart, in h of WVJH17 Eq. 24.
+pub fn spatial_phase_vwh18_5(segment: &Segment, wave_number: f64, xi1: f64) -> Complex<f64> {
+    let [a1, a2, b] = segment.arguments(wave_number, xi1);
+    let erf = |a: f64| ComplexErrorFunctions::erf(Complex::new(a, b));
+    erf(a2) - erf(a1)
 }

@@ -23,18 +23,86 @@ pub fn sinc_squared_integral() -> Vec<Row> {
     rows(2, include_str!("../../../data/golden/sinc_squared_integral.csv"))
 }
 
+/// One certified complex value.
+pub struct ComplexRow {
+    /// The inputs.
+    pub inputs: Vec<f64>,
+    /// The true real and imaginary part.
+    pub truth: [Reference; 2],
+}
+
+/// Certified values of w, in both half planes.
+pub fn faddeeva_w() -> Vec<ComplexRow> {
+    complex_rows(2, include_str!("../../../data/golden/faddeeva_w.csv"))
+}
+
+/// Certified values of the derivative of w.
+pub fn faddeeva_w_derivative() -> Vec<ComplexRow> {
+    complex_rows(2, include_str!("../../../data/golden/faddeeva_w_derivative.csv"))
+}
+
+/// Certified values of erf.
+pub fn erf_complex() -> Vec<ComplexRow> {
+    complex_rows(2, include_str!("../../../data/golden/erf_complex.csv"))
+}
+
+/// Certified values of erfc.
+pub fn erfc_complex() -> Vec<ComplexRow> {
+    complex_rows(2, include_str!("../../../data/golden/erfc_complex.csv"))
+}
+
+/// Certified values of the scaled erf difference; its modulus is certified, not each part.
+pub fn erf_difference_scaled() -> Vec<ComplexRow> {
+    complex_rows(3, include_str!("../../../data/golden/erf_difference_scaled.csv"))
+}
+
+/// Certified values of exp(-|x|) I0(x).
+pub fn bessel_i0_scaled() -> Vec<Row> {
+    rows(1, include_str!("../../../data/golden/bessel_i0_scaled.csv"))
+}
+
+/// Certified values of ln I0(x).
+pub fn log_bessel_i0() -> Vec<Row> {
+    rows(1, include_str!("../../../data/golden/log_bessel_i0.csv"))
+}
+
+/// Certified values of I1(x)/I0(x).
+pub fn bessel_i1_i0_ratio() -> Vec<Row> {
+    rows(1, include_str!("../../../data/golden/bessel_i1_i0_ratio.csv"))
+}
+
+fn number(word: &str) -> f64 {
+    hexadecimal::parse(word).unwrap_or_else(|_| panic!("{word:?} in data/golden"))
+}
+
+/// A truth in the columns hi, lo, exponent.
+fn truth(words: &[&str]) -> Reference {
+    Reference {
+        hi: number(words[0]),
+        lo: number(words[1]),
+        exponent: words[2].parse().expect("an exponent"),
+    }
+}
+
+fn complex_rows(columns: usize, text: &'static str) -> Vec<ComplexRow> {
+    let rows = text.lines().skip(1).map(|line| {
+        let words: Vec<&str> = line.split(',').collect();
+        assert_eq!(words.len(), columns + 8, "{line}");
+        ComplexRow {
+            inputs: words[..columns].iter().map(|word| number(word)).collect(),
+            truth: [truth(&words[columns..]), truth(&words[columns + 4..])],
+        }
+    });
+    rows.collect()
+}
+
 fn rows(columns: usize, text: &'static str) -> Vec<Row> {
-    let number = |word: &str| hexadecimal::parse(word).unwrap_or_else(|_| panic!("{word:?} in data/golden"));
     let rows = text.lines().skip(1).map(|line| {
         let words: Vec<&'static str> = line.split(',').collect();
         assert_eq!(words.len(), columns + 4, "{line}");
         Row {
             inputs: words[..columns].iter().map(|word| number(word)).collect(),
-            truth: Reference {
-                hi: number(words[columns]),
-                lo: number(words[columns + 1]),
-                exponent: words[columns + 2].parse().expect("an exponent"),
-            },
+            truth: truth(&words[columns..]),
             digits: words[columns + 3],
         }
     });

@@ -8,6 +8,8 @@
 //! - relative errors are taken against max(|truth|, smallest normal number), units in the last place against the unit of
 //!   the truth's binade or of the subnormals, so both stay finite down to zero.
 
+pub mod complex;
+
 use crate::oracle::double_double::{Dd, two_sum};
 use crate::registry::Precision;
 
@@ -90,6 +92,15 @@ impl Reference {
         let just_below = bits << 12 == 0 && self.lo * self.hi.signum() < 0.0;
         exponent + shift - i32::from(just_below)
     }
+}
+
+/// A true value: of a real function, or of a complex one as real and imaginary part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Truth {
+    /// One number.
+    Real(Reference),
+    /// Real and imaginary part.
+    Complex([Reference; 2]),
 }
 
 /// x 2^n without intermediate overflow or rounding (but for a subnormal result).

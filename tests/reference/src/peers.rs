@@ -4,9 +4,13 @@
 //! Not here, with the reason: crate `special-fun` (Cephes in C) links functions named `sin`, `exp`, `pow` ... that replace
 //! the platform's in the whole program; crate `scirs2-special` is wrong by 1e15 ulp.
 
+pub mod bessel;
+pub mod error_function;
 mod galsim;
 #[cfg(feature = "gsl")]
-mod gsl;
+pub mod gsl;
+#[cfg(feature = "libcerf")]
+pub mod libcerf;
 
 /// Si by Cephes, through crate `spec_math`; it computes Ci in the same call.
 pub fn sine_integral_cephes(x: f64) -> f64 {

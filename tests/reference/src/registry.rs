@@ -1,12 +1,22 @@
 //! The one list of methods: accuracy tests, criterion inputs, charts, tables and `report eval` all read it.
 
+mod bessel;
+mod call;
+mod erf_difference;
+mod error_function;
+mod faddeeva;
 mod functions;
 mod own;
 mod peer;
 
-use crate::generate::Generator;
-use crate::metrics::Reference;
+pub use call::{Call, Value, Visitor};
+
+use crate::generate::{Generator, timing};
+use crate::metrics::{Reference, Truth};
 use std::sync::LazyLock;
+
+/// Seed of the rows for timings.
+const TIMING_SEED: u64 = 0x5eed;
 
 /// Number format in which a method computes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -28,29 +38,6 @@ pub enum Origin {
     Peer,
 }
 
-/// How a method is called. One row of inputs gives one row of results.
-#[derive(Clone, Copy)]
-pub enum Call {
-    /// One f64 in, one out.
-    F64(fn(f64) -> f64),
-    /// Two f64 in (an interval), one out.
-    F64Pair(fn([f64; 2]) -> f64),
-    /// One f32 in, one out.
-    F32(fn(f32) -> f32),
-    /// Two f32 in, one out.
-    F32Pair(fn(f32, f32) -> f32),
-    /// Three f32 in, one out.
-    F32Triple(fn(f32, f32, f32) -> f32),
-    /// A slice of f64 in, a slice of the same length out.
-    F64Slice(fn(&[f64], &mut [f64])),
-    /// A slice of f64 intervals in.
-    F64PairSlice(fn(&[[f64; 2]], &mut [f64])),
-    /// A slice of f32 in.
-    F32Slice(fn(&[f32], &mut [f32])),
-    /// A slice of f32 intervals in.
-    F32PairSlice(fn(&[[f32; 2]], &mut [f32])),
-}
-
 /// The measure in which a budget is stated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Metric {
@@ -62,6 +49,8 @@ pub enum Metric {
     Absolute,
     /// Relative error.
     Relative,
+    /// Absolute error as a multiple of the function's own scale, [`Function::peak`].
+    Peak,
 }
 
 /// A promised bound. A test fails when measured > bound, and when bound > 4 x measured.
@@ -98,12 +87,47 @@ pub struct Function {
     /// Names and units of the result columns.
     pub outputs: &'static [(&'static str, &'static str)],
     /// True value of a row, to well beyond f64 (double-double).
-    pub oracle: fn(&[f64]) -> Reference,
+    pub oracle: Oracle,
     /// What the oracle is, for the ledger.
     pub oracle_name: &'static str,
+    /// The scale of a row against which [`Metric::Peak`] counts errors, where the function has one.
+    pub peak: Option<fn(&[f64]) -> f64>,
+    /// Rows on which all its methods are timed; `None` where those of [`crate::generate::timing`] suit.
+    pub timed: Option<Generator>,
+    /// One of so many points of a run is measured: more than 1 where the oracle takes tens of microseconds.
+    pub thinning: usize,
+}
+
+/// The truth of a row of inputs.
+#[derive(Clone, Copy)]
+pub enum Oracle {
+    /// One number.
+    Real(fn(&[f64]) -> Reference),
+    /// Real and imaginary part.
+    Complex(fn(&[f64]) -> [Reference; 2]),
+}
+
+impl Function {
+    /// True value of a row.
+    pub fn truth(&self, row: &[f64]) -> Truth {
+        match self.oracle {
+            Oracle::Real(f) => Truth::Real(f(row)),
+            Oracle::Complex(f) => Truth::Complex(f(row)),
+        }
+    }
+}
+
+/// A further part of the plane or line on which a method is judged, with a promise of its own.
+#[derive(Clone, Copy)]
+pub struct Region {
+    /// Inputs of the part.
+    pub domain: Generator,
+    /// The promise there.
+    pub budget: Option<Budget>,
 }
 
 /// One way to compute a function.
+#[derive(Clone)]
 pub struct Method {
     /// Name of its [`Function`].
     pub function: &'static str,
@@ -124,6 +148,35 @@ pub struct Method {
     pub budget: Option<Budget>,
     /// The scalar method of which this one is the slice form, if it is.
     pub slice_of: Option<&'static str>,
+    /// Where else it is judged; `domain` and `budget` above are what charts show.
+    pub regions: Vec<Region>,
+}
+
+impl Method {
+    /// The method once for each domain on which it is judged, the main one first.
+    pub fn on_each_domain(&self) -> Vec<Method> {
+        let whole = Region {
+            domain: self.domain,
+            budget: self.budget,
+        };
+        std::iter::once(&whole)
+            .chain(&self.regions)
+            .map(|region| Method {
+                domain: region.domain,
+                budget: region.budget,
+                regions: Vec::new(),
+                ..*self
+            })
+            .collect()
+    }
+
+    /// Rows on which it is timed.
+    pub fn timing_rows(&self) -> Vec<f64> {
+        match function(self.function).and_then(|f| f.timed) {
+            Some(domain) => (domain.rows)(TIMING_SEED, timing::ROWS),
+            None => timing::rows(&self.domain),
+        }
+    }
 }
 
 /// All functions.
@@ -136,63 +189,18 @@ pub fn function(name: &str) -> Option<&'static Function> {
     functions().iter().find(|f| f.name == name)
 }
 
-/// All methods: ours and the published ones, then the peers.
+/// All methods, of each function ours first.
 pub fn methods() -> &'static [Method] {
-    static METHODS: LazyLock<Vec<Method>> =
-        LazyLock::new(|| own::methods().into_iter().chain(peer::methods()).collect());
+    static METHODS: LazyLock<Vec<Method>> = LazyLock::new(|| {
+        let parts = [
+            own::methods(),
+            peer::methods(),
+            faddeeva::methods(),
+            error_function::methods(),
+            erf_difference::methods(),
+            bessel::methods(),
+        ];
+        parts.into_iter().flatten().collect()
+    });
     &METHODS
-}
-
-impl Call {
-    /// Whether it takes slices.
-    pub fn is_slice(&self) -> bool {
-        matches!(
-            self,
-            Call::F64Slice(_) | Call::F64PairSlice(_) | Call::F32Slice(_) | Call::F32PairSlice(_)
-        )
-    }
-
-    /// Numbers in a row of inputs.
-    pub fn columns(&self) -> usize {
-        match self {
-            Call::F64(_) | Call::F32(_) | Call::F64Slice(_) | Call::F32Slice(_) => 1,
-            Call::F64Pair(_) | Call::F32Pair(_) | Call::F64PairSlice(_) | Call::F32PairSlice(_) => 2,
-            Call::F32Triple(_) => 3,
-        }
-    }
-
-    /// Results for `rows` in row-major order. An f32 call gets each number rounded to f32.
-    pub fn evaluate(&self, rows: &[f64]) -> Vec<f64> {
-        match *self {
-            Call::F64(f) => rows.iter().map(|&x| f(x)).collect(),
-            Call::F64Pair(f) => rows.chunks_exact(2).map(|q| f([q[0], q[1]])).collect(),
-            Call::F32(f) => rows.iter().map(|&x| f64::from(f(x as f32))).collect(),
-            Call::F32Pair(f) => rows
-                .chunks_exact(2)
-                .map(|q| f64::from(f(q[0] as f32, q[1] as f32)))
-                .collect(),
-            Call::F32Triple(f) => rows
-                .chunks_exact(3)
-                .map(|x| f64::from(f(x[0] as f32, x[1] as f32, x[2] as f32)))
-                .collect(),
-            Call::F64Slice(f) => through(f, rows),
-            Call::F64PairSlice(f) => through(f, rows.as_chunks::<2>().0),
-            Call::F32Slice(f) => widened(through(f, &narrowed(rows))),
-            Call::F32PairSlice(f) => widened(through(f, narrowed(rows).as_chunks::<2>().0)),
-        }
-    }
-}
-
-fn through<X, Y: Copy + Default>(f: fn(&[X], &mut [Y]), x: &[X]) -> Vec<Y> {
-    let mut results = vec![Y::default(); x.len()];
-    f(x, &mut results);
-    results
-}
-
-fn narrowed(x: &[f64]) -> Vec<f32> {
-    x.iter().map(|&x| x as f32).collect()
-}
-
-fn widened(x: Vec<f32>) -> Vec<f64> {
-    x.into_iter().map(f64::from).collect()
 }

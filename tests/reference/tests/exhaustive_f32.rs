@@ -3,6 +3,7 @@
 //!
 //! `cargo test -p reference --release --test exhaustive_f32 -- --ignored --nocapture`
 
+use iridescence::{shader, special};
 use reference::generate::worst::recorded;
 use reference::metrics::{MISMATCH, ulp_error};
 use reference::oracle;
@@ -218,4 +219,133 @@ fn the_sweep_sees_a_single_wrong_input() {
     assert!(worst.1 == 1.0 && worst.0 > 10.0, "{worst:?}");
     assert_eq!(ulp_of(1.0), f64::from(f32::EPSILON));
     assert_eq!(ulp_of(1e-44), 2f64.powi(-149));
+}
+
+/// A Bessel function in f32 and its f64 form, which tests/bessel.rs holds to its oracle, both over slices, and its
+/// promise in units of the last place.
+struct Bessel {
+    name: &'static str,
+    single: fn(&[f32], &mut [f32]),
+    double: fn(&[f32], &mut [f64]),
+    odd: bool,
+    bound: f64,
+}
+
+const BESSEL: [Bessel; 3] = [
+    Bessel {
+        name: "bessel_i0_scaled",
+        single: |x, out| each(x, out, shader::bessel_i0_scaled),
+        double: |x, out| each(x, out, |x| special::bessel_i0_scaled(f64::from(x))),
+        odd: false,
+        bound: 1.0,
+    },
+    Bessel {
+        name: "log_bessel_izero",
+        single: |x, out| each(x, out, shader::log_bessel_izero),
+        double: |x, out| each(x, out, |x| special::log_bessel_i0(f64::from(x))),
+        odd: false,
+        bound: 2.0,
+    },
+    Bessel {
+        name: "bessel_ratio",
+        single: |x, out| each(x, out, shader::bessel_ratio),
+        double: |x, out| each(x, out, |x| special::bessel_i1_i0_ratio(f64::from(x))),
+        odd: true,
+        bound: 2.0,
+    },
+];
+
+/// Writes a function of each `x`; a loop that the compiler can vectorise.
+fn each<T>(x: &[f32], out: &mut [T], function: impl Fn(f32) -> T) {
+    for (out, &x) in out.iter_mut().zip(x) {
+        *out = function(x);
+    }
+}
+
+/// Sweeps the sizes with the bit patterns `first..last`, both signs of each.
+fn sweep_bessel(function: &Bessel, first: u32, last: u32) -> Worst {
+    let sign = u32::from(function.odd) << 31;
+    let mut worst = (0.0, 0.0);
+    let mut start = first;
+    while start < last {
+        let end = last.min(start + BLOCK);
+        let x: Vec<f32> = (start..end).map(f32::from_bits).collect();
+        let minus: Vec<f32> = x.iter().map(|x| -x).collect();
+        let (mut values, mut mirrored, mut truths) = (vec![0.0; x.len()], vec![0.0; x.len()], vec![0.0; x.len()]);
+        (function.single)(&x, &mut values);
+        (function.single)(&minus, &mut mirrored);
+        (function.double)(&x, &mut truths);
+        for (k, &x) in x.iter().enumerate() {
+            let (value, truth) = (values[k], truths[k]);
+            assert_eq!(
+                mirrored[k].to_bits(),
+                value.to_bits() ^ sign,
+                "{} of {x:e}: symmetry",
+                function.name
+            );
+            let error = if truth.is_finite() && value.is_finite() {
+                (f64::from(value) - truth).abs() / ulp_of(truth)
+            } else if f64::from(value) == truth {
+                0.0
+            } else {
+                MISMATCH
+            };
+            if error > worst.0 {
+                worst = (error, x);
+            }
+        }
+        start = end;
+    }
+    worst
+}
+
+#[test]
+#[ignore = "2^32 inputs: some minutes, in release only"]
+fn the_f32_bessel_functions_keep_their_promise_on_every_input() {
+    let threads = thread::available_parallelism().map_or(2, usize::from) as u32;
+    let pieces = 64 * threads;
+    let piece = |i: u32| ((u64::from(INFINITY) + 1) * u64::from(i) / u64::from(pieces)) as u32;
+    for function in &BESSEL {
+        let one = |t: u32| {
+            let taken = (t..pieces).step_by(threads as usize);
+            taken
+                .map(|i| sweep_bessel(function, piece(i), piece(i + 1)))
+                .collect::<Vec<_>>()
+        };
+        let parts: Vec<Worst> = thread::scope(|scope| {
+            let one = &one;
+            let handles: Vec<_> = (0..threads).map(|t| scope.spawn(move || one(t))).collect();
+            let joined = handles
+                .into_iter()
+                .map(|h| h.join().expect("a sweep found a broken symmetry"));
+            joined.flatten().collect()
+        });
+        let (largest, x) = parts.into_iter().fold((0.0, 0.0), |a, b| if b.0 > a.0 { b } else { a });
+        println!("{}: {largest:.4} ulp at {x:e} ({:#010x})", function.name, x.to_bits());
+        let nan: Vec<f32> = (INFINITY + 1..=0x7FFF_FFFF).step_by(101).map(f32::from_bits).collect();
+        let mut values = vec![0.0; nan.len()];
+        (function.single)(&nan, &mut values);
+        assert!(values.iter().all(|value| value.is_nan()), "{}", function.name);
+        assert!(
+            largest <= function.bound && function.bound <= 4.0 * largest,
+            "{}: {largest} ulp at {x:e}, promised {}",
+            function.name,
+            function.bound
+        );
+    }
+}
+
+#[test]
+fn the_sweep_of_bessel_functions_sees_a_single_wrong_input() {
+    fn off_at_one(x: f32) -> f32 {
+        let value = shader::bessel_i0_scaled(x);
+        if x.abs() == 1.0 { value * 1.000_001 } else { value }
+    }
+    let function = Bessel {
+        single: |x, out| each(x, out, off_at_one),
+        ..BESSEL[0]
+    };
+    let one = 1f32.to_bits();
+    let worst = sweep_bessel(&function, one - 1000, one + 1000);
+    assert!(worst.1 == 1.0 && worst.0 > 10.0, "{worst:?}");
 }

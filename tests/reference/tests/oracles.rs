@@ -16,7 +16,9 @@ fn same(a: &Reference, b: &Reference) -> bool {
 
 #[test]
 fn the_fast_and_the_slow_oracle_agree_on_every_generator() {
-    for generator in generate::all() {
+    // Complex points and erf differences are held in `oracles_complex`.
+    let apart = |name: &str| name.starts_with("complex_") || name.starts_with("erf_difference_");
+    for generator in generate::all().iter().filter(|g| !apart(g.name)) {
         for row in (generator.rows)(11, 120).chunks(generator.columns) {
             let pairs = match *row {
                 [x] => {

@@ -27,13 +27,20 @@ fn every_method_is_registered_once_with_a_function_a_domain_and_a_promise_of_its
         let f = function(m.function).unwrap_or_else(|| panic!("{} is no function", m.function));
         assert_eq!(f.inputs.len(), m.call.columns(), "{} / {}", m.function, m.method);
         assert_eq!(f.inputs.len(), m.domain.columns, "{} / {}", m.function, m.method);
+        // What is printed without a bound of its own is held by none.
         assert_eq!(
-            m.origin == Origin::Peer,
+            m.origin == Origin::Peer || m.method == "as_printed",
             m.budget.is_none(),
             "{} / {}",
             m.function,
             m.method
         );
+        assert_eq!(f.outputs.len(), m.call.results(), "{} / {}", m.function, m.method);
+        for region in &m.regions {
+            assert_eq!(f.inputs.len(), region.domain.columns, "{} / {}", m.function, m.method);
+            let promised = region.budget.is_some();
+            assert_eq!(m.origin == Origin::Ours, promised, "{} / {}", m.function, m.method);
+        }
         assert_eq!(m.call.is_slice(), m.slice_of.is_some(), "{} / {}", m.function, m.method);
     }
     for f in functions() {
@@ -99,9 +106,15 @@ fn a_measurement_is_finite_whatever_the_method_does() {
     for m in methods() {
         let a = accuracy(m, 3, 600);
         assert_eq!(a.points, 600);
+        let peak = methods_function_has_peak(m);
+        assert_eq!(a.max_peak.is_some(), peak, "{} / {}", m.function, m.method);
         for x in [a.max_abs, a.max_rel, a.max_ulp, a.max_eps, a.p999_rel, a.mean_ulp] {
             assert!(x.is_finite() && x <= metrics::MISMATCH, "{} / {}", m.function, m.method);
         }
         assert_eq!(a.worst_input.len(), m.domain.columns);
     }
+}
+
+fn methods_function_has_peak(m: &Method) -> bool {
+    function(m.function).is_some_and(|f| f.peak.is_some())
 }

@@ -35,6 +35,11 @@ fn references() -> [(f64, &'static str); 3] {
     ]
 }
 
+/// Whether a method's error is as large as the result itself.
+fn is_hopeless(e: &Entry) -> bool {
+    e.charted() >= 1.0 || e.charted().is_nan()
+}
+
 /// The text of an error too large for the axis.
 fn size_text(error: f64) -> String {
     if error >= 1e300 || error.is_nan() {
@@ -73,7 +78,7 @@ struct Plot {
 
 impl Plot {
     fn new(height: f64, shown: &[&Entry]) -> Self {
-        let overflow = shown.iter().any(|e| e.charted() > 1.0 || e.charted().is_nan());
+        let overflow = shown.iter().any(|e| is_hopeless(e));
         let strip_height = if overflow { STRIP * height } else { 0.0 };
         let frame = Rect {
             x0: LEFT,
@@ -110,7 +115,7 @@ impl Plot {
 
     /// Place of a point; in the strip, the larger errors stand higher.
     fn at(&self, e: &Entry) -> [f64; 2] {
-        let y = if e.charted() > 1.0 || e.charted().is_nan() {
+        let y = if is_hopeless(e) {
             let size = if e.charted().is_nan() { f64::MAX } else { e.charted() };
             let t = (libm::log10(1.0 + libm::log10(size)) / libm::log10(309.0)).clamp(0.0, 1.0);
             self.strip.y1 - 14.0 - t * (self.strip.y1 - self.strip.y0 - 40.0)
@@ -171,7 +176,7 @@ fn draw_at(height: f64, title: &str, shown: &[&Entry]) -> Option<String> {
     let names: Vec<String> = shown
         .iter()
         .map(|e| {
-            let over = e.charted() > 1.0 || e.charted().is_nan();
+            let over = is_hopeless(e);
             if over {
                 format!("{} ({})", point_name(e), size_text(e.charted()))
             } else {
@@ -205,15 +210,15 @@ fn draw_at(height: f64, title: &str, shown: &[&Entry]) -> Option<String> {
     let rows = keyed.len().div_ceil(2);
     let mut svg = Svg::new(WIDTH, key_top + 34.0 + KEY_ROW * rows as f64 + 14.0, title);
     svg.text([24.0, 34.0], title, TITLE, Align::Start);
-    let sub = format!(
-        "{} over each method's domain, against time per value; lower left is better",
-        error
-    );
+    let sub = format!("{error}, on each method's domain, against time per value; lower left is better");
     svg.text([24.0, 56.0], &sub, SMALL, Align::Start);
     if plot.strip.y1 > plot.strip.y0 {
         svg.rect(plot.strip, "#f3e6df", None);
         let middle = 0.5 * (plot.strip.y0 + plot.strip.y1);
-        for (i, line) in ["no correct digit:", "relative error above 1"].into_iter().enumerate() {
+        for (i, line) in ["no correct digit:", "relative error 1 or more"]
+            .into_iter()
+            .enumerate()
+        {
             svg.text(
                 [frame.x1 + 8.0, middle - 4.0 + 16.0 * i as f64],
                 line,

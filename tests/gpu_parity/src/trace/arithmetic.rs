@@ -91,6 +91,9 @@ impl Run<'_> {
                 let sum = x + y;
                 let back = sum - x;
                 let exact = (x - (sum - back)) + (y - back) == 0.0 && sum == f64::from(value);
+                // With operands that may be off, it stays exact where the result has the finer of their grids.
+                let grid = ulp(value) <= ulp(a.value).min(ulp(b.value));
+                let exact = exact && (grid || a.bound + b.bound == 0.0);
                 let rounding = if exact { 0.0 } else { ulp(value) };
                 self.float(value, a.bound + b.bound + rounding)
             }

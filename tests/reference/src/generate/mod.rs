@@ -4,6 +4,8 @@
 //! inputs recorded in `data/worst`), as long as at least as many random rows follow.
 
 pub mod arcs;
+pub mod complex_points;
+pub mod erf_differences;
 pub mod points;
 pub mod random;
 pub mod timing;
@@ -47,6 +49,27 @@ pub fn all() -> &'static [Generator] {
         arcs::SCRATCH_F32,
         arcs::SCRATCH_UNIFORM_F32,
         arcs::SCRATCH_TURNS_F32,
+        points::BESSEL_LINE,
+        points::BESSEL_LINE_F32,
+        complex_points::UPPER_HALF_PLANE,
+        complex_points::UPPER_HALF_PLANE_F32,
+        complex_points::LOWER_HALF_PLANE,
+        complex_points::LOWER_HALF_PLANE_F32,
+        complex_points::WHOLE_PLANE,
+        complex_points::ZEROS_OF_W,
+        complex_points::ZEROS_OF_ERF,
+        complex_points::FIRST_QUADRANT,
+        complex_points::NEAR_REAL_AXIS,
+        complex_points::NEAR_IMAGINARY_AXIS,
+        complex_points::UPPER_TAIL,
+        complex_points::RING,
+        complex_points::REAL_LINE,
+        complex_points::ERFCX_LINE,
+        complex_points::TIMING,
+        erf_differences::SCRATCH,
+        erf_differences::SCRATCH_F32,
+        erf_differences::ANY,
+        erf_differences::SHORT,
     ]
 }
 

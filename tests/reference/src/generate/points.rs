@@ -84,6 +84,22 @@ pub const BIT_PATTERNS: Generator = Generator {
     rows: |seed, n| sampled(seed, n, bit_patterns),
 };
 
+/// The range of the Bessel functions of a scene.
+pub const BESSEL_LINE: Generator = Generator {
+    name: "bessel_line",
+    domain: "half uniform in (0, 30), half log-uniform in 1e-3..1e5",
+    columns: 1,
+    rows: |seed, n| sampled(seed, n, bessel),
+};
+
+/// The same at f32 values: the inputs of the timings.
+pub const BESSEL_LINE_F32: Generator = Generator {
+    name: "bessel_line_f32",
+    domain: "f32, half uniform in (0, 30), half log-uniform in 1e-3..1e5",
+    columns: 1,
+    rows: |seed, n| sampled(seed, n, |r| neighbour_f32(bessel(r), 0)),
+};
+
 /// Infinities and NaN, for the tests of limits.
 pub fn non_finite() -> Vec<f64> {
     vec![f64::INFINITY, f64::NEG_INFINITY, f64::NAN, -f64::NAN]
@@ -208,6 +224,14 @@ fn near_zeros(random: &mut Random) -> f64 {
 fn log_uniform(random: &mut Random, lo: f64, hi: f64) -> f64 {
     let x = random.log_uniform(lo, hi);
     random.signed(x)
+}
+
+fn bessel(random: &mut Random) -> f64 {
+    if random.chance(0.5) {
+        random.uniform(0.0, 30.0)
+    } else {
+        random.log_uniform(1e-3, 1e5)
+    }
 }
 
 fn bit_patterns(random: &mut Random) -> f64 {

@@ -3,7 +3,7 @@
 use crate::hexadecimal;
 
 /// Name and text of each file: one header line, then one row of hexadecimal floats a line, `#` comments.
-const FILES: [(&str, usize, &str); 7] = [
+const FILES: [(&str, usize, &str); 17] = [
     (
         "sine_integral",
         1,
@@ -23,12 +23,65 @@ const FILES: [(&str, usize, &str); 7] = [
     ("sine", 1, include_str!("../../../../data/worst/sine.csv")),
     ("cosine", 1, include_str!("../../../../data/worst/cosine.csv")),
     ("exponential", 1, include_str!("../../../../data/worst/exponential.csv")),
+    ("faddeeva_w", 2, include_str!("../../../../data/worst/faddeeva_w.csv")),
+    (
+        "faddeeva_w_derivative",
+        2,
+        include_str!("../../../../data/worst/faddeeva_w_derivative.csv"),
+    ),
+    ("erf", 1, include_str!("../../../../data/worst/erf.csv")),
+    ("erf_complex", 2, include_str!("../../../../data/worst/erf_complex.csv")),
+    (
+        "erfc_complex",
+        2,
+        include_str!("../../../../data/worst/erfc_complex.csv"),
+    ),
+    ("erfcx", 1, include_str!("../../../../data/worst/erfcx.csv")),
+    (
+        "erf_difference_scaled",
+        3,
+        include_str!("../../../../data/worst/erf_difference_scaled.csv"),
+    ),
+    (
+        "bessel_i0_scaled",
+        1,
+        include_str!("../../../../data/worst/bessel_i0_scaled.csv"),
+    ),
+    (
+        "log_bessel_i0",
+        1,
+        include_str!("../../../../data/worst/log_bessel_i0.csv"),
+    ),
+    (
+        "bessel_i1_i0_ratio",
+        1,
+        include_str!("../../../../data/worst/bessel_i1_i0_ratio.csv"),
+    ),
 ];
 
-/// All recorded rows with this number of columns, whichever function they were found for.
+/// Rows of these functions are complex numbers and erf differences, which [`recorded`] leaves out.
+const APART: [&str; 5] = [
+    "faddeeva_w",
+    "faddeeva_w_derivative",
+    "erf_complex",
+    "erfc_complex",
+    "erf_difference_scaled",
+];
+
+/// All recorded rows with this number of columns: real numbers, arcs, or arcs after a width.
 pub fn recorded(columns: usize) -> Vec<Vec<f64>> {
-    let files = FILES.iter().filter(|file| file.1 == columns);
+    let files = FILES
+        .iter()
+        .filter(|file| file.1 == columns && !APART.contains(&file.0));
     files.flat_map(|&(name, _, text)| parse(name, columns, text)).collect()
+}
+
+/// All rows recorded for these functions.
+pub fn recorded_for(functions: &[&str]) -> Vec<Vec<f64>> {
+    let files = FILES.iter().filter(|file| functions.contains(&file.0));
+    files
+        .flat_map(|&(name, columns, text)| parse(name, columns, text))
+        .collect()
 }
 
 fn parse(name: &str, columns: usize, text: &str) -> Vec<Vec<f64>> {

@@ -1,5 +1,10 @@
 //! The same truths by arbitrary precision: the power series of Si and its asymptotic counterpart, and the arc as a plain
-//! difference of antiderivatives with enough bits that the cancellation does not matter. Slow (up to milliseconds).
+//! difference of antiderivatives with enough bits that the cancellation does not matter. Slow (up to milliseconds). The
+//! complex functions and the Bessel functions have modules of their own.
+
+pub mod bessel;
+pub mod erf_difference;
+pub mod faddeeva;
 
 use crate::metrics::Reference;
 use dashu_float::{FBig, round::mode::HalfEven};

@@ -7,14 +7,25 @@
 pub mod arbitrary;
 mod arc;
 mod asymptotic;
+mod bessel;
+mod complex;
 pub mod double_double;
 mod elementary;
+mod erf_difference;
+mod error_function;
+mod faddeeva;
 mod reduction;
+mod scaled;
 mod taylor;
 mod turns;
+pub mod zeros;
 
 pub use arc::sinc_squared_integral;
+pub use bessel::{bessel_i0_scaled, bessel_i1_i0_ratio, log_bessel_i0};
 pub use elementary::{cosine, exponential, sine};
+pub use erf_difference::erf_difference_scaled;
+pub use error_function::{erf_complex, erfc_complex, erfcx};
+pub use faddeeva::{faddeeva_w, faddeeva_w_derivative};
 pub use turns::sinc_squared_integral_turns;
 
 use crate::metrics::Reference;

@@ -17,12 +17,12 @@ fn own(
     metric: Metric,
     bound: f64,
 ) -> Method {
-    let double = matches!(call, F64(_) | F64Pair(_) | F64Slice(_) | Call::F64PairSlice(_));
+    let double = call.precision() == Precision::F64;
     Method {
         function,
         method,
         label,
-        precision: if double { Precision::F64 } else { Precision::F32 },
+        precision: call.precision(),
         origin: if method == "vwh18" {
             Origin::Published
         } else {
@@ -36,6 +36,7 @@ fn own(
         slice_of: call.is_slice().then_some(method),
         call,
         budget: Some(Budget { metric, bound }),
+        regions: Vec::new(),
     }
 }
 

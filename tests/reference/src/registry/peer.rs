@@ -9,17 +9,18 @@ const SI: &str = "sine_integral";
 const ARC: &str = "sinc_squared_integral";
 
 fn peer(function: &'static str, method: &'static str, label: &'static str, call: Call) -> Method {
-    let double = matches!(call, F64(_) | F64Pair(_));
+    let double = call.precision() == Precision::F64;
     Method {
         function,
         method,
         label,
-        precision: if double { Precision::F64 } else { Precision::F32 },
+        precision: call.precision(),
         origin: Origin::Peer,
         domain: domain_of_others(call.columns(), double),
         call,
         budget: None,
         slice_of: None,
+        regions: Vec::new(),
     }
 }
 
