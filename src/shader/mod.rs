@@ -20,23 +20,23 @@
 //!
 //! | function | f64: largest error of the promised | f64: time / best peer | f32: largest error of the promised | f32: time / best peer |
 //! |---|---|---|---|---|
-//! | `sine_integral` | 0.67 of 0.75 ulp | 0.36, slices 0.18 (cephes) | 1.9 of 2 ulp | 0.62, slices 0.060 (galsim) |
-//! | `sinc_squared_integral` | 9.2 of 16 eps | 0.26 (cephes_antiderivative) | 4.5e-7 of 6e-7 abs. | 0.43, slices 0.052 (rounded_antiderivative) |
+//! | `sine_integral` | 0.67 of 0.75 ulp | 0.36, slices 0.18 (cephes) | 1.9 of 2 ulp | 0.62, slices 0.056 (galsim) |
+//! | `sinc_squared_integral` | 9.2 of 16 eps | 0.25 (cephes_antiderivative) | 4.5e-7 of 6e-7 abs. | 0.43, slices 0.050 (rounded_antiderivative) |
 //! | `sinc` | 1.6 of 1.75 ulp | | | |
 //! | `sinc_squared_integral_turns` | | | 5.3e-7 of 6e-7 abs. | |
 //! | `sine` | | | 1.5e-7 of 2e-7 abs. | |
 //! | `cosine` | | | 2.5e-7 of 2.5e-7 abs. | |
 //! | `exponential` | | | 1.2 of 2 ulp | |
-//! | `faddeeva_w` | 1.9 of 2 eps | 0.31, slices 0.081 (libcerf) | 2.5 of 4 eps | 0.25, slices 0.026 (errorfunctions_rounded) |
-//! | `erf_complex` | 8.7 of 8 eps | 0.44 (libcerf) | | |
-//! | `erf_difference_scaled` | 3.9 of 6 eps of peak | 0.73 (errorfunctions_w) | 5.3e-7 of 1.4e-6 of peak | |
-//! | `bessel_i0_scaled` | 0.56 of 1 ulp | 0.21, slices 0.15 (cephes) | 0.94 of 1 ulp | 2.4, slices 0.25 (pxfm) |
-//! | `erf` | 0.50 of 0.501 ulp | 0.44, slices 0.24 (cephes) | | |
-//! | `erfc_complex` | 4.5 of 8 eps | 0.43 (libcerf) | | |
-//! | `erfcx` | 2.4 of 3 ulp | 3.8 (puruspe) | | |
-//! | `faddeeva_w_derivative` | 24 of 48 eps | 0.28 (libcerf) | | |
-//! | `log_bessel_i0` | 1.7 of 2 ulp | 0.34 (cephes) | 1.9 of 2 ulp | |
-//! | `bessel_i1_i0_ratio` | 0.62 of 0.75 ulp | 0.097 (cephes) | 1.4 of 2 ulp | |
+//! | `faddeeva_w` | 1.9 of 2 eps | 0.31, slices 0.081 (libcerf) | 2.5 of 4 eps | 0.24, slices 0.020 (errorfunctions_rounded) |
+//! | `erf_complex` | 8.7 of 12 eps | 0.45 (libcerf) | | |
+//! | `erf_difference_scaled` | 3.9 of 6 eps of peak | 0.72 (errorfunctions_w) | 5.3e-7 of 1.4e-6 of peak | |
+//! | `bessel_i0_scaled` | 0.56 of 1 ulp | 0.21, slices 0.15 (cephes) | 0.94 of 1 ulp | 2.1, slices 0.23 (pxfm) |
+//! | `erf` | 0.50 of 0.501 ulp | 0.45, slices 0.26 (cephes) | | |
+//! | `erfc_complex` | 4.5 of 8 eps | 0.44 (libcerf) | | |
+//! | `erfcx` | 2.4 of 3 ulp | 3.5 (puruspe) | | |
+//! | `faddeeva_w_derivative` | 24 of 48 eps | 0.26 (libcerf) | | |
+//! | `log_bessel_i0` | 1.7 of 2 ulp | 0.33 (cephes) | 1.9 of 2 ulp | |
+//! | `bessel_i1_i0_ratio` | 0.62 of 0.75 ulp | 0.099 (cephes) | 1.4 of 2 ulp | |
 //!
 //! <!-- report:end summary -->
 //!

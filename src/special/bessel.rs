@@ -34,7 +34,7 @@
 //! |---|---|---|---|---|---|
 //! | `accurate` | iridescence f64 | f64 | 0.56 ulp | 1 ulp | 0.21 (cephes) |
 //! | `accurate`, slice | iridescence f64 slices | f64 | 0.56 ulp | 1 ulp | 0.15 (cephes) |
-//! | `accurate` | iridescence f32 | f32 | 0.94 ulp | 1 ulp | 2.42 (pxfm) |
+//! | `accurate` | iridescence f32 | f32 | 0.94 ulp | 1 ulp | 2.12 (pxfm) |
 //! | `accurate`, slice | iridescence f32 slices | f32 | 0.94 ulp | 1 ulp | 1.00 (accurate) |
 //!
 //! <!-- report:end bessel_i0_scaled -->
@@ -43,7 +43,7 @@
 //!
 //! | method | what it is | precision | largest error | promise | time / baseline |
 //! |---|---|---|---|---|---|
-//! | `accurate` | iridescence f64 | f64 | 1.7 ulp | 2 ulp | 0.34 (cephes) |
+//! | `accurate` | iridescence f64 | f64 | 1.7 ulp | 2 ulp | 0.33 (cephes) |
 //! | `accurate` | iridescence f32 | f32 | 1.9 ulp | 2 ulp | 1.00 (accurate) |
 //!
 //! <!-- report:end log_bessel_i0 -->

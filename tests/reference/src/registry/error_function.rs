@@ -59,7 +59,7 @@ pub(super) fn methods() -> Vec<Method> {
 
 fn own_methods() -> Vec<Method> {
     let erf = [
-        region(points::WHOLE_PLANE, Eps, 8.0),
+        region(points::WHOLE_PLANE, Eps, 12.0),
         region(points::ZEROS_OF_ERF, Eps, 5.0),
     ];
     vec![
