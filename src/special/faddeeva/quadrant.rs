@@ -165,7 +165,7 @@ pub(crate) fn beside_the_axis(x: f64, y: f64) -> Pair {
     (gaussian.0 - im, gaussian.1 + re)
 }
 
-/// w for |z| < 1.5 and y >= 1/2.
+/// w for 5/4 x^2 + y^2 < 1.96, and y >= 1/2 or x < 3/4.
 #[inline(always)]
 pub(crate) fn inner(x: f64, y: f64) -> Pair {
     let d = y + 5.0;
