@@ -35,7 +35,7 @@ pub fn write(panels: &[Panel]) -> String {
     text
 }
 
-/// Reads what [`write`] wrote.
+/// Reads what [`write()`] wrote.
 pub fn read(text: &str) -> Result<Vec<Panel>, String> {
     let (header, rows) = number_table::read(text)?;
     if header.len() != CELLS[0] + 2 || rows.len() % (CELLS[1] + 1) != 0 {
