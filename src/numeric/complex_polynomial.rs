@@ -27,7 +27,10 @@ pub(crate) fn sum(a: Pair, b: Pair) -> Pair {
 
 /// Returns c\[OFFSET\] + c\[OFFSET + STRIDE\] u + c\[OFFSET + 2 STRIDE\] u^2 + ..., of two terms at least.
 #[inline(always)]
-fn chain<const N: usize, const OFFSET: usize, const STRIDE: usize>(c: impl Fn(usize) -> f64, u: Pair) -> Pair {
+pub(crate) fn chain<const N: usize, const OFFSET: usize, const STRIDE: usize>(
+    c: impl Fn(usize) -> f64,
+    u: Pair,
+) -> Pair {
     let (s, t) = (2.0 * u.0, u.0 * u.0 + u.1 * u.1);
     let last = (N - 1 - OFFSET) / STRIDE;
     let mut second = c(OFFSET + last * STRIDE);

@@ -1,9 +1,8 @@
 //! The exponential function times a number, without overflow or underflow on the way.
 
+use super::ROUND;
 use super::polynomial::Powers;
 
-/// 1.5 * 2^52: adding it rounds to an integer, left in the low bits.
-const ROUND: f64 = 6755399441055744.0;
 /// 1/ln 2.
 const INVERSE_LN_2: f64 = core::f64::consts::LOG2_E;
 /// ln 2 in 42 bits, whose products with integers below 2^11 are exact, and the rest.
@@ -41,7 +40,7 @@ fn parts(high: f64, low: f64) -> (f64, i64) {
 
 /// 2^n for -1022 <= n <= 1023.
 #[inline(always)]
-fn power_of_two(n: i64) -> f64 {
+pub(super) fn power_of_two(n: i64) -> f64 {
     f64::from_bits((n.wrapping_add(1023) as u64) << 52)
 }
 

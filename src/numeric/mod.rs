@@ -7,3 +7,6 @@ pub(crate) mod phase;
 pub(crate) mod polynomial;
 pub(crate) mod product_phase;
 mod tables;
+
+/// 1.5 * 2^52: adding it rounds to an integer, left in the low bits.
+pub(crate) const ROUND: f64 = 6755399441055744.0;

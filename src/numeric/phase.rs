@@ -12,9 +12,9 @@ const PI_SPLIT: [f64; 2] = [3.1415926218032837, 3.178650954705639e-08];
 /// pi, and what its rounding left out.
 const PI: [f64; 2] = [core::f64::consts::PI, 1.2246467991473532e-16];
 /// pi in 26 and 26 bits, whose products with integers below 2^26 are exact, and the rest.
-const PI_PARTS: [f64; 3] = [3.1415926218032837, 3.1786509424591713e-08, 1.2246467991473532e-16];
+pub(super) const PI_PARTS: [f64; 3] = [3.1415926218032837, 3.1786509424591713e-08, 1.2246467991473532e-16];
 /// 2^26: below, x/pi rounds to an integer of at most 26 bits.
-const FEW_HALF_TURNS: f64 = 67108864.0;
+pub(super) const FEW_HALF_TURNS: f64 = 67108864.0;
 /// 2^52: adding it rounds a number in [0, 2^52) to an integer.
 const INTEGERS: f64 = 4503599627370496.0;
 /// 2^27 + 1, Veltkamp's splitter.

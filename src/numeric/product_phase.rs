@@ -1,16 +1,12 @@
 //! The phase 2 a b, reduced by half turns from the exact product, whatever its size.
 
-use super::phase::{sine_cosine, two_product};
+use super::ROUND;
+use super::exponential::power_of_two;
+use super::phase::{FEW_HALF_TURNS, PI_PARTS, sine_cosine, two_product};
 use super::tables::INVERSE_PI_PLACES;
 
 /// 1/pi.
 const INVERSE_PI: f64 = core::f64::consts::FRAC_1_PI;
-/// pi in 26 and 26 bits, whose products with integers below 2^26 are exact, and the rest.
-const PI_PARTS: [f64; 3] = [3.1415926218032837, 3.1786509424591713e-08, 1.2246467991473532e-16];
-/// 1.5 * 2^52: adding it rounds to an integer, left in the low bits.
-const ROUND: f64 = 6755399441055744.0;
-/// 2^26: below, the product has at most 2^26/pi half turns.
-const FEW: f64 = 67108864.0;
 /// 2^-600.
 const SHRINK: f64 = f64::from_bits((1023 - 600) << 52);
 
@@ -30,12 +26,20 @@ pub(crate) fn sine_cosine_of_twice_product(a: f64, b: f64) -> (f64, f64) {
 #[inline(always)]
 pub(crate) fn reduce_twice_product(a: f64, b: f64) -> (f64, u64) {
     let twice = 2.0 * (a * b);
-    if twice >= FEW {
+    if twice >= FEW_HALF_TURNS {
         return reduce_large(a, b);
     }
     // One of them may still be so large that it cannot be split.
-    let (a, b) = if a >= FEW { (a * SHRINK, b / SHRINK) } else { (a, b) };
-    let (a, b) = if b >= FEW { (a / SHRINK, b * SHRINK) } else { (a, b) };
+    let (a, b) = if a >= FEW_HALF_TURNS {
+        (a * SHRINK, b / SHRINK)
+    } else {
+        (a, b)
+    };
+    let (a, b) = if b >= FEW_HALF_TURNS {
+        (a / SHRINK, b * SHRINK)
+    } else {
+        (a, b)
+    };
     let (product, rest) = two_product(2.0 * a, b);
     let rounded = product * INVERSE_PI + ROUND;
     let n = rounded - ROUND;
@@ -59,8 +63,8 @@ fn reduce_large(a: f64, b: f64) -> (f64, u64) {
     let (negative, magnitude) = (high < 0, high.unsigned_abs());
     let shift = magnitude.leading_zeros();
     let top = (magnitude << shift >> 64) as u64;
-    let leading = (top >> 11) as f64 * exact_power(-53 - shift as i32);
-    let following = (top & 0x7ff) as f64 * exact_power(-64 - shift as i32);
+    let leading = (top >> 11) as f64 * power_of_two(-53 - i64::from(shift));
+    let following = (top & 0x7ff) as f64 * power_of_two(-64 - i64::from(shift));
     let r = leading * (2.0 * PI_PARTS[0]) + (leading * (2.0 * PI_PARTS[1]) + following * (2.0 * PI_PARTS[0]));
     (if negative { -r } else { r }, n << 63)
 }
@@ -78,11 +82,6 @@ fn integer(x: f64) -> Option<(u64, i32)> {
     } else {
         (fraction | 1 << 52, exponent - 1075)
     })
-}
-
-/// 2^n for -1022 <= n <= 0.
-fn exact_power(n: i32) -> f64 {
-    f64::from_bits(((n + 1023) as u64) << 52)
 }
 
 /// The first 128 places of the fraction of m 2^e/pi.

@@ -1,10 +1,8 @@
 //! The two evaluations that Si and H share: a table of cells near the origin, auxiliary functions beyond it.
 
 use super::tables::{Cells, LINEAR_ROWS, ROWS, TAIL_F, TAIL_G, WIDTH};
+use crate::numeric::ROUND;
 use crate::numeric::polynomial::Powers;
-
-/// 1.5 * 2^52: adding it rounds to an integer, left in the low bits.
-const ROUND: f64 = 6755399441055744.0;
 
 /// pi/2, and what its rounding left out.
 pub(super) const HALF_PI: [f64; 2] = [core::f64::consts::FRAC_PI_2, 6.123233995736766e-17];

@@ -82,7 +82,7 @@ use crate::numeric::exponential::times_exponential;
 use crate::numeric::phase::{two_product, two_sum};
 use crate::numeric::product_phase::sine_cosine_of_twice_product;
 use num_complex::Complex;
-use quadrant::{NEAR, deviation, quadrant};
+use quadrant::{HUGE, NEAR, deviation, quadrant};
 
 pub(super) mod quadrant;
 #[cfg(feature = "simd")]
@@ -93,8 +93,6 @@ pub use tiers::{faddeeva_w_coarse, faddeeva_w_fine, faddeeva_w_medium};
 
 /// 2/sqrt(pi).
 const TWO_INVERSE_SQRT_PI: f64 = core::f64::consts::FRAC_2_SQRT_PI;
-/// From here on squares overflow.
-const HUGE: f64 = f64::from_bits((1023 + 500) << 52);
 /// Distance from a zero within which its Taylor series is used.
 const DISC: f64 = 0.125;
 
@@ -181,8 +179,11 @@ fn lower(x: f64, y: f64) -> Pair {
     if let Some(value) = near_a_zero(&W_ZEROS, x, -y) {
         return value;
     }
-    // w(z) = 2 exp(-z^2) - w(-z).
-    let above = quadrant(x, y);
+    reflected(x, y, quadrant(x, y))
+}
+
+/// w(x - i y) = 2 exp(-z^2) - w(-z) from w(x + i y), which is `above`.
+fn reflected(x: f64, y: f64, above: Pair) -> Pair {
     let [re, im] = gaussian_below(x, y, 2.0, (1.0, 0.0));
     (re - above.0, im + above.1)
 }

@@ -6,7 +6,8 @@
 use super::super::faddeeva_tables::{
     DAWSON, DAWSON_CELLS, DAWSON_LOW, INNER, MIDDLE, MIDDLE_MAP, OUTER, OUTER_MAP, TAIL, W_OF_I,
 };
-use crate::numeric::complex_polynomial::{Pair, in_four, in_two, product, square, sum};
+use crate::numeric::ROUND;
+use crate::numeric::complex_polynomial::{Pair, chain, in_four, in_two, product, square, sum};
 use crate::numeric::exponential::{exponential, exponential_in_range};
 use crate::numeric::phase::{sine_cosine, two_sum};
 
@@ -30,10 +31,8 @@ const AXIS_END: f64 = 28.0;
 const INVERSE_SQRT_PI: [f64; 2] = [0.5641895835477563, 1.3590697223380941e-17];
 /// sqrt(pi).
 const SQRT_PI: f64 = 1.772453850905516;
-/// 1.5 * 2^52: adding it rounds to an integer, left in the low bits.
-const ROUND: f64 = 6755399441055744.0;
 /// 2^500: from here on squares are taken of numbers 2^540 times smaller.
-const HUGE: f64 = f64::from_bits((1023 + 500) << 52);
+pub(crate) const HUGE: f64 = f64::from_bits((1023 + 500) << 52);
 /// 2^-540.
 const SHRINK: f64 = f64::from_bits((1023 - 540) << 52);
 
@@ -124,27 +123,11 @@ pub(crate) fn dawson_cell(x: f64, y: f64) -> Pair {
     let d = (x - (rounded - ROUND) * 0.25, y);
     let d2 = square(d);
     // The even powers from the second on, and the odd ones.
-    let even = product(d2, in_one::<0>(cell, d2));
-    let odd = product(d, in_one::<1>(cell, d2));
-    let rest = (even.0 + odd.0, even.1 + odd.1);
+    let c = |k: usize| DAWSON[k][cell];
+    let even = product(d2, chain::<{ DAWSON.len() }, 2, 2>(c, d2));
+    let odd = product(d, chain::<{ DAWSON.len() }, 1, 2>(c, d2));
+    let rest = sum(even, odd);
     (DAWSON[0][cell] + (DAWSON_LOW[cell] + rest.0), rest.1)
-}
-
-/// Every second power of a cell in powers of `u`: from the square, or from the first.
-#[inline(always)]
-fn in_one<const ODD: usize>(cell: usize, u: Pair) -> Pair {
-    const ROWS: usize = DAWSON.len();
-    let first = 2 - ODD;
-    let (s, t) = (2.0 * u.0, u.0 * u.0 + u.1 * u.1);
-    let last = first + (ROWS - 1 - first) / 2 * 2;
-    let mut second = DAWSON[last][cell];
-    let mut sum = DAWSON[last - 2][cell] + s * second;
-    let mut k = last - 2;
-    while k > first + 2 {
-        k -= 2;
-        (sum, second) = ((DAWSON[k][cell] - t * second) + s * sum, sum);
-    }
-    ((DAWSON[first][cell] - t * second) + u.0 * sum, u.1 * sum)
 }
 
 /// exp(-z^2) for y < 1/2 and x < 7, its phase right where its size counts beside w.

@@ -1,8 +1,8 @@
 //! Cheaper tiers of w: one minimax polynomial each for the whole upper half plane.
 
 use super::super::faddeeva_tables::{COARSE, COARSE_POLE, FINE, FINE_POLE, MEDIUM, MEDIUM_POLE};
-use super::quadrant::asymptotic;
-use super::{HUGE, at_infinity, gaussian_below, mirrored};
+use super::quadrant::{HUGE, asymptotic};
+use super::{at_infinity, mirrored, reflected};
 use crate::numeric::complex_polynomial::{Pair, in_four, product};
 use num_complex::Complex;
 
@@ -28,15 +28,8 @@ fn in_the_plane<const N: usize>(coefficients: &[f64; N], pole: f64, z: Complex<f
     } else {
         asymptotic(x, y)
     };
-    let value = if z.im < 0.0 { lower(x, y, above) } else { above };
+    let value = if z.im < 0.0 { reflected(x, y, above) } else { above };
     mirrored(value, z.re)
-}
-
-/// w(x - i y) for finite x >= 0, y > 0, from w(x + i y).
-#[cold]
-fn lower(x: f64, y: f64, above: Pair) -> Pair {
-    let [re, im] = gaussian_below(x, y, 2.0, (1.0, 0.0));
-    (re - above.0, im + above.1)
 }
 
 /// Returns w(z) within 1e-10 |w(z)| in the upper half plane.
