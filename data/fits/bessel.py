@@ -20,7 +20,6 @@ ln I0 and A are rational in x^2 below 4 and polynomials in 1/x above. All of lev
 """
 
 import pathlib
-import sys
 
 import provenance
 from mpmath import besseli, cos, exp, log, lu_solve, matrix, mp, mpf, pi, sqrt
@@ -290,21 +289,11 @@ def shader_text():
     return out.rstrip("\n") + "\n"
 
 
-def main():
-    for path, made in (
-        (SOURCE / "special" / "bessel_tables.rs", special_text()),
-        (SOURCE / "shader" / "bessel_coefficients.rs", shader_text()),
-    ):
-        if "--check" in sys.argv:
-            if path.read_text() != made:
-                sys.exit(f"{path} is not what this script writes")
-            if not provenance.current(path, "bessel.py", made):
-                sys.exit(f"the row of {path} in fits.csv is not what this script writes")
-            print(f"{path.relative_to(SOURCE.parent).as_posix()}: current")
-        else:
-            path.write_text(made)
-            provenance.record(path, "bessel.py", made)
-
-
 if __name__ == "__main__":
-    main()
+    provenance.write_or_check(
+        "bessel.py",
+        [
+            (SOURCE / "special" / "bessel_tables.rs", special_text()),
+            (SOURCE / "shader" / "bessel_coefficients.rs", shader_text()),
+        ],
+    )

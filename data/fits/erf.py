@@ -14,7 +14,6 @@ that small arguments keep their relative accuracy.
 """
 
 import pathlib
-import sys
 
 import provenance
 from mpmath import erf, exp, mp, mpf, pi, sqrt
@@ -72,18 +71,5 @@ def text():
     return out + "];\n"
 
 
-def main():
-    path, made = SOURCE / "special" / "erf_tables.rs", text()
-    if "--check" in sys.argv:
-        if path.read_text() != made:
-            sys.exit(f"{path} is not what this script writes")
-        if not provenance.current(path, "erf.py", made):
-            sys.exit(f"the row of {path} in fits.csv is not what this script writes")
-        print("src/special/erf_tables.rs: current")
-    else:
-        path.write_text(made)
-        provenance.record(path, "erf.py", made)
-
-
 if __name__ == "__main__":
-    main()
+    provenance.write_or_check("erf.py", [(SOURCE / "special" / "erf_tables.rs", text())])

@@ -342,18 +342,5 @@ def text():
     return out.rstrip("\n") + "\n"
 
 
-def main():
-    made = text()
-    if "--check" in sys.argv:
-        if PATH.read_text() != made:
-            sys.exit(f"{PATH} is not what this script writes")
-        if not provenance.current(PATH, "faddeeva.py", made):
-            sys.exit(f"the row of {PATH} in fits.csv is not what this script writes")
-        print("src/special/faddeeva_tables.rs: current")
-    else:
-        PATH.write_text(made)
-        provenance.record(PATH, "faddeeva.py", made)
-
-
 if __name__ == "__main__":
-    main()
+    provenance.write_or_check("faddeeva.py", [(PATH, text())])

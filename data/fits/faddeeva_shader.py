@@ -17,7 +17,6 @@ import cmath
 import math
 import pathlib
 import string
-import sys
 
 import provenance
 from faddeeva import TIERS, I, along, f, fit, powers, relative, tier, w
@@ -86,18 +85,5 @@ def text():
     return out.rstrip("\n") + "\n"
 
 
-def main():
-    made = text()
-    if "--check" in sys.argv:
-        if PATH.read_text() != made:
-            sys.exit(f"{PATH} is not what this script writes")
-        if not provenance.current(PATH, "faddeeva_shader.py", made):
-            sys.exit(f"the row of {PATH} in fits.csv is not what this script writes")
-        print("src/shader/faddeeva_coefficients.rs: current")
-    else:
-        PATH.write_text(made)
-        provenance.record(PATH, "faddeeva_shader.py", made)
-
-
 if __name__ == "__main__":
-    main()
+    provenance.write_or_check("faddeeva_shader.py", [(PATH, text())])

@@ -7,6 +7,7 @@ as a double. tests/provenance.rs computes the same from the Rust source.
 import pathlib
 import re
 import struct
+import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CSV = ROOT / "data" / "fits" / "fits.csv"
@@ -39,3 +40,17 @@ def record(path, script, text):
     file = made.split(",")[0]
     kept = [line for line in rows() if line.split(",")[0] != file]
     CSV.write_text("\n".join([HEADER, *sorted([*kept, made])]) + "\n")
+
+
+def write_or_check(script, files):
+    """Writes each (path, text) and its row; with --check, exits 1 where a committed file or row differs."""
+    for path, text in files:
+        if "--check" not in sys.argv:
+            path.write_text(text)
+            record(path, script, text)
+            continue
+        if path.read_text() != text:
+            sys.exit(f"{path} is not what this script writes")
+        if not current(path, script, text):
+            sys.exit(f"the row of {path} in fits.csv is not what this script writes")
+        print(f"{path.relative_to(ROOT).as_posix()}: current")

@@ -16,7 +16,6 @@ linearised least squares whose weights are raised where the error is largest
 
 import pathlib
 import struct
-import sys
 
 import provenance
 from mpmath import ci, cos, lu_solve, matrix, mp, mpf, pi, si, sin
@@ -196,18 +195,5 @@ def text():
     return out.rstrip("\n") + "\n"
 
 
-def main():
-    made = text()
-    if "--check" in sys.argv:
-        if OUT.read_text() != made:
-            sys.exit(f"{OUT} is not what this script writes")
-        if not provenance.current(OUT, "shader.py", made):
-            sys.exit(f"the row of {OUT} in fits.csv is not what this script writes")
-        print("src/shader/coefficients.rs: current")
-    else:
-        OUT.write_text(made)
-        provenance.record(OUT, "shader.py", made)
-
-
 if __name__ == "__main__":
-    main()
+    provenance.write_or_check("shader.py", [(OUT, text())])

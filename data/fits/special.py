@@ -22,7 +22,6 @@ places of 1/pi, for the reduction of products of any size.
 """
 
 import pathlib
-import sys
 
 import provenance
 
@@ -224,19 +223,5 @@ def special_text():
     return out.rstrip("\n") + "\n"
 
 
-def main():
-    for folder, made in (("special", special_text()), ("numeric", numeric_text())):
-        path = SOURCE / folder / "tables.rs"
-        if "--check" in sys.argv:
-            if path.read_text() != made:
-                sys.exit(f"{path} is not what this script writes")
-            if not provenance.current(path, "special.py", made):
-                sys.exit(f"the row of {path} in fits.csv is not what this script writes")
-            print(f"src/{folder}/tables.rs: current")
-        else:
-            path.write_text(made)
-            provenance.record(path, "special.py", made)
-
-
 if __name__ == "__main__":
-    main()
+    provenance.write_or_check("special.py", [(SOURCE / "special" / "tables.rs", special_text()), (SOURCE / "numeric" / "tables.rs", numeric_text())])
