@@ -1,9 +1,7 @@
 //! The f32 Faddeeva function and scaled erf difference: bounds over their domains, limits, symmetries, slices.
 #![cfg(all(feature = "shader", feature = "simd"))]
 
-use iridescence::Complex;
 use iridescence::shader::{self, erf_difference_scaled, erf_difference_scaled_turns, faddeeva_w, faddeeva_w_coarse};
-use iridescence::simd::{self, Level};
 use reference::generate::random::{Random, neighbour_f32};
 use reference::generate::{complex_points as points, erf_differences};
 use reference::metrics::complex::{absolute_error, eps_error, relative_error};
@@ -283,55 +281,6 @@ fn the_erf_difference_has_its_limits_and_nan_gives_nan() {
         if a.is_finite() && c.is_finite() && b.is_finite() {
             let value = erf_difference_scaled(a, c, b);
             assert!(value.re.hypot(value.im) <= 2.000_1, "{a:e} {c:e} {b:e}: {value:?}");
-        }
-    }
-}
-
-#[test]
-fn the_slices_have_the_bits_of_their_scalars_at_every_level() {
-    let best = Level::new();
-    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    let lower = [
-        best.as_sse4_2().map(Level::Sse4_2),
-        best.as_avx2().map(Level::Avx2),
-        best.as_avx512().map(Level::Avx512),
-    ];
-    #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
-    let lower: [Option<Level>; 0] = [];
-    let levels: Vec<Level> = lower.into_iter().flatten().chain([Level::baseline(), best]).collect();
-    let mut random = Random::new(40);
-    // The upper half plane only, a little of the lower one, then anything.
-    let mut number = |kind: usize| match kind {
-        0 => random.uniform(0.0, 6.0) as f32,
-        1 => random.uniform(-0.1, 6.0) as f32,
-        _ => f32::from_bits(random.bits() as u32),
-    };
-    for kind in 0..3 {
-        for count in [0, 1, 63, 64, 65, 640] {
-            let rows: Vec<[f32; 3]> = (0..count).map(|_| [0; 3].map(|_| number(kind))).collect();
-            let z: Vec<Complex<f32>> = rows.iter().map(|row| Complex::new(row[0], row[1])).collect();
-            for &level in &levels {
-                let mut out = vec![Complex::new(-77.0f32, 0.0); count];
-                let hold = |name: &str, scalar: &dyn Fn(usize) -> shader::Complex, out: &[Complex<f32>]| {
-                    for (i, value) in out.iter().enumerate() {
-                        let value = shader::Complex {
-                            re: value.re,
-                            im: value.im,
-                        };
-                        assert_eq!(bits(value), bits(scalar(i)), "{name} at {level:?}, {:?}", rows[i]);
-                    }
-                };
-                simd::shader::faddeeva_w_at(level, &z, &mut out);
-                hold("w", &|i| faddeeva_w(z[i].re, z[i].im), &out);
-                simd::shader::faddeeva_w_coarse_at(level, &z, &mut out);
-                hold("coarse", &|i| faddeeva_w_coarse(z[i].re, z[i].im), &out);
-                simd::shader::erf_difference_scaled_at(level, &rows, &mut out);
-                hold(
-                    "erf",
-                    &|i| erf_difference_scaled(rows[i][0], rows[i][1], rows[i][2]),
-                    &out,
-                );
-            }
         }
     }
 }

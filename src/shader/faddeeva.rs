@@ -177,6 +177,22 @@ pub(super) fn faddeeva_gaussian(x: f32, y: f32) -> Complex {
     }
 }
 
+/// Returns w(re + i im) from its value at |re| + i |im|, by w(z) = 2 exp(-z^2) - w(-z) below the real axis.
+#[inline(always)]
+pub(super) fn faddeeva_in_plane(re: f32, im: f32, above: Complex) -> Complex {
+    let mut w_re = above.re;
+    let mut w_im = above.im;
+    if im < 0.0 {
+        let gaussian = faddeeva_gaussian(abs(re), abs(im));
+        w_re = gaussian.re - above.re;
+        w_im = gaussian.im + above.im;
+    }
+    Complex {
+        re: w_re,
+        im: odd_continuation(re, w_im),
+    }
+}
+
 /// Returns w(z) = exp(-z^2) erfc(-i z) at z = re + i im, to f32 grade in the upper half plane.
 ///
 /// The error counts against |w(z)| above the real axis and on it, and against |2 exp(-z^2)| + |w(-z)| below, where
@@ -185,20 +201,7 @@ pub(super) fn faddeeva_gaussian(x: f32, y: f32) -> Complex {
 #[inline(always)]
 #[must_use]
 pub fn faddeeva_w(re: f32, im: f32) -> Complex {
-    let x = abs(re);
-    let y = abs(im);
-    let above = faddeeva_quadrant(x, y);
-    let mut w_re = above.re;
-    let mut w_im = above.im;
-    if im < 0.0 {
-        let gaussian = faddeeva_gaussian(x, y);
-        w_re = gaussian.re - above.re;
-        w_im = gaussian.im + above.im;
-    }
-    Complex {
-        re: w_re,
-        im: odd_continuation(re, w_im),
-    }
+    faddeeva_in_plane(re, im, faddeeva_quadrant(abs(re), abs(im)))
 }
 
 /// Returns the polynomial of the coarse tier at v.
@@ -249,18 +252,5 @@ pub(super) fn faddeeva_quadrant_coarse(x: f32, y: f32) -> Complex {
 #[inline(always)]
 #[must_use]
 pub fn faddeeva_w_coarse(re: f32, im: f32) -> Complex {
-    let x = abs(re);
-    let y = abs(im);
-    let above = faddeeva_quadrant_coarse(x, y);
-    let mut w_re = above.re;
-    let mut w_im = above.im;
-    if im < 0.0 {
-        let gaussian = faddeeva_gaussian(x, y);
-        w_re = gaussian.re - above.re;
-        w_im = gaussian.im + above.im;
-    }
-    Complex {
-        re: w_re,
-        im: odd_continuation(re, w_im),
-    }
+    faddeeva_in_plane(re, im, faddeeva_quadrant_coarse(abs(re), abs(im)))
 }

@@ -1122,9 +1122,9 @@ Complex faddeeva_polynomial(Complex v_1, bool near)
     float p_d = (((near ? FADDEEVA_NEAR_D : FADDEEVA_FAR_D) - (t_2 * p_f)) + (s_7 * p_e));
     float p_c = (((near ? FADDEEVA_NEAR_C : FADDEEVA_FAR_C) - (t_2 * p_e)) + (s_7 * p_d));
     float p_b = (((near ? FADDEEVA_NEAR_B : FADDEEVA_FAR_B) - (t_2 * p_d)) + (s_7 * p_c));
-    float re_2 = (((near ? FADDEEVA_NEAR_A : FADDEEVA_FAR_A) - (t_2 * p_c)) + (v_1.re * p_b));
-    float im_2 = (v_1.im * p_b);
-    const Complex complex = ConstructComplex(re_2, im_2);
+    float re_3 = (((near ? FADDEEVA_NEAR_A : FADDEEVA_FAR_A) - (t_2 * p_c)) + (v_1.re * p_b));
+    float im_3 = (v_1.im * p_b);
+    const Complex complex = ConstructComplex(re_3, im_3);
     return complex;
 }
 
@@ -1192,10 +1192,31 @@ Complex faddeeva_gaussian(float x_16, float y_3)
     bool nothing = local_3;
     const float _e69 = product_turns(x_16, y_3);
     const SineCosine _e75 = sine_cosine_turns((nothing ? 0.0 : (_e69 + (0.0 * y_3))));
-    float re_3 = ((_e59.mantissa * _e75.cosine) * _e59.first);
-    float im_3 = ((_e59.mantissa * _e75.sine) * _e59.first);
-    const Complex complex_2 = ConstructComplex(((re_3 + re_3) * _e59.second), ((im_3 + im_3) * _e59.second));
+    float re_4 = ((_e59.mantissa * _e75.cosine) * _e59.first);
+    float im_4 = ((_e59.mantissa * _e75.sine) * _e59.first);
+    const Complex complex_2 = ConstructComplex(((re_4 + re_4) * _e59.second), ((im_4 + im_4) * _e59.second));
     return complex_2;
+}
+
+// Returns w(re + i im) from its value at |re| + i |im|, by w(z) = 2 exp(-z^2) - w(-z) below the
+// real axis.
+Complex faddeeva_in_plane(float re, float im, Complex above)
+{
+    float w_re = (float)0;
+    float w_im = (float)0;
+
+    w_re = above.re;
+    w_im = above.im;
+    if ((im < 0.0)) {
+        const Complex _e11 = faddeeva_gaussian(abs(re), abs(im));
+        w_re = (_e11.re - above.re);
+        w_im = (_e11.im + above.im);
+    }
+    float _e18 = w_re;
+    float _e19 = w_im;
+    const float _e20 = odd_continuation(re, _e19);
+    const Complex complex_3 = ConstructComplex(_e18, _e20);
+    return complex_3;
 }
 
 // Returns w(z) = exp(-z^2) erfc(-i z) at z = re + i im, to f32 grade in the upper half plane.
@@ -1205,26 +1226,12 @@ Complex faddeeva_gaussian(float x_16, float y_3)
 // exponent and phase keep their digits for |z| to 100. w(-conj z) = conj w(z) holds exactly. An
 // infinite z gives 0 in
 // the upper half plane and on horizontal lines below it; straight down w tends to infinity.
-Complex faddeeva_w(float re, float im)
+Complex faddeeva_w(float re_1, float im_1)
 {
-    float w_re = (float)0;
-    float w_im = (float)0;
-
-    float x_18 = abs(re);
-    float y_12 = abs(im);
-    const Complex _e4 = faddeeva_quadrant(x_18, y_12);
-    w_re = _e4.re;
-    w_im = _e4.im;
-    if ((im < 0.0)) {
-        const Complex _e11 = faddeeva_gaussian(x_18, y_12);
-        w_re = (_e11.re - _e4.re);
-        w_im = (_e11.im + _e4.im);
-    }
-    float _e18 = w_re;
-    float _e19 = w_im;
-    const float _e20 = odd_continuation(re, _e19);
-    const Complex complex_3 = ConstructComplex(_e18, _e20);
-    return complex_3;
+    const Complex _e4 = faddeeva_quadrant(abs(re_1), abs(im_1));
+    const Complex _e5 = faddeeva_in_plane(re_1, im_1, _e4);
+    const Complex complex_4 = _e5;
+    return complex_4;
 }
 
 // Returns the polynomial of the coarse tier at v.
@@ -1241,10 +1248,10 @@ Complex faddeeva_polynomial_coarse(Complex v_2)
     float p_d_1 = ((FADDEEVA_COARSE_D - (t_3 * p_f_1)) + (s_8 * p_e_1));
     float p_c_1 = ((FADDEEVA_COARSE_C - (t_3 * p_e_1)) + (s_8 * p_d_1));
     float p_b_1 = ((FADDEEVA_COARSE_B - (t_3 * p_d_1)) + (s_8 * p_c_1));
-    float re_4 = ((FADDEEVA_COARSE_A - (t_3 * p_c_1)) + (v_2.re * p_b_1));
-    float im_4 = (v_2.im * p_b_1);
-    const Complex complex_4 = ConstructComplex(re_4, im_4);
-    return complex_4;
+    float re_5 = ((FADDEEVA_COARSE_A - (t_3 * p_c_1)) + (v_2.re * p_b_1));
+    float im_5 = (v_2.im * p_b_1);
+    const Complex complex_5 = ConstructComplex(re_5, im_5);
+    return complex_5;
 }
 
 // Returns w(x + i y) for x >= 0 and y >= 0, to 5e-5.
@@ -1262,31 +1269,17 @@ Complex faddeeva_quadrant_coarse(float x_17, float y_4)
     Complex v_11 = ConstructComplex(((double_pole * q_re) - 1.0), (double_pole * q_im));
     const Complex _e33 = faddeeva_polynomial_coarse(v_11);
     float unscale_1 = ((largest_2 > INFINITE_LIMIT) ? 0.0 : scale_3);
-    const Complex complex_5 = ConstructComplex((((q_re * _e33.re) - (q_im * _e33.im)) * unscale_1), (((q_re * _e33.im) + (q_im * _e33.re)) * unscale_1));
-    return complex_5;
+    const Complex complex_6 = ConstructComplex((((q_re * _e33.re) - (q_im * _e33.im)) * unscale_1), (((q_re * _e33.im) + (q_im * _e33.re)) * unscale_1));
+    return complex_6;
 }
 
 // Returns w(z) of [`faddeeva_w`] to 5e-5.
-Complex faddeeva_w_coarse(float re_1, float im_1)
+Complex faddeeva_w_coarse(float re_2, float im_2)
 {
-    float w_re_1 = (float)0;
-    float w_im_1 = (float)0;
-
-    float x_19 = abs(re_1);
-    float y_13 = abs(im_1);
-    const Complex _e4 = faddeeva_quadrant_coarse(x_19, y_13);
-    w_re_1 = _e4.re;
-    w_im_1 = _e4.im;
-    if ((im_1 < 0.0)) {
-        const Complex _e11 = faddeeva_gaussian(x_19, y_13);
-        w_re_1 = (_e11.re - _e4.re);
-        w_im_1 = (_e11.im + _e4.im);
-    }
-    float _e18 = w_re_1;
-    float _e19 = w_im_1;
-    const float _e20 = odd_continuation(re_1, _e19);
-    const Complex complex_6 = ConstructComplex(_e18, _e20);
-    return complex_6;
+    const Complex _e4 = faddeeva_quadrant_coarse(abs(re_2), abs(im_2));
+    const Complex _e5 = faddeeva_in_plane(re_2, im_2, _e4);
+    const Complex complex_7 = _e5;
+    return complex_7;
 }
 
 // Returns exp(-a^2 - rest) for a from 0 to 12, or what is left of it.
@@ -1315,9 +1308,9 @@ Complex erf_end(float a_1, float b, float turns_1)
     const SineCosine _e16 = sine_cosine_turns((nothing_1 ? 0.0 : turns_1));
     const float _e20 = erf_gaussian(min(size_1, ERF_END_LARGEST), 0.0);
     const Complex _e21 = faddeeva_quadrant(height, size_1);
-    float im_5 = (((a_1 < 0.0) != (b < 0.0)) ? _e21.im : -(_e21.im));
-    const Complex complex_7 = ConstructComplex((_e20 * ((_e21.re * _e16.cosine) + (im_5 * _e16.sine))), (_e20 * ((im_5 * _e16.cosine) - (_e21.re * _e16.sine))));
-    return complex_7;
+    float im_6 = (((a_1 < 0.0) != (b < 0.0)) ? _e21.im : -(_e21.im));
+    const Complex complex_8 = ConstructComplex((_e20 * ((_e21.re * _e16.cosine) + (im_6 * _e16.sine))), (_e20 * ((im_6 * _e16.cosine) - (_e21.re * _e16.sine))));
+    return complex_8;
 }
 
 // Returns the integral of exp(-s^2 - 2 (m + i b) s) over |s| <= d as a multiple of 2 d, for short
@@ -1339,8 +1332,8 @@ Complex erf_short_series(float middle_1, float b_1, float halved_1)
     float first_im = (q_im_1 * n_6);
     float second_re = (l + ((q_re_1 * first_re) - (q_im_1 * first_im)));
     float second_im = ((q_re_1 * first_im) + (q_im_1 * first_re));
-    const Complex complex_8 = ConstructComplex((k_3 + ((q_re_1 * second_re) - (q_im_1 * second_im))), ((q_re_1 * second_im) + (q_im_1 * second_re)));
-    return complex_8;
+    const Complex complex_9 = ConstructComplex((k_3 + ((q_re_1 * second_re) - (q_im_1 * second_im))), ((q_re_1 * second_im) + (q_im_1 * second_re)));
+    return complex_9;
 }
 
 // Returns exp(-b^2) (erf(`a_to` + i b) - erf(`a_from` + i b)) with the phases a b/pi given apart,
@@ -1395,8 +1388,8 @@ Complex erf_difference_scaled_turns(float a_from, float a_to, float b_2, float t
         local_6 = false;
     }
     bool is_empty = local_6;
-    const Complex complex_9 = ConstructComplex((is_empty ? 0.0 : (is_short ? short_re : long_re)), (is_empty ? 0.0 : (is_short ? short_im : long_im)));
-    return complex_9;
+    const Complex complex_10 = ConstructComplex((is_empty ? 0.0 : (is_short ? short_re : long_re)), (is_empty ? 0.0 : (is_short ? short_im : long_im)));
+    return complex_10;
 }
 
 // Returns exp(-b^2) (erf(`a_to` + i b) - erf(`a_from` + i b)), the three dimensionless.
@@ -1409,6 +1402,6 @@ Complex erf_difference_scaled(float a_from_1, float a_to_1, float b_3)
     const float _e3 = product_turns(a_from_1, b_3);
     const float _e4 = product_turns(a_to_1, b_3);
     const Complex _e5 = erf_difference_scaled_turns(a_from_1, a_to_1, b_3, _e3, _e4);
-    const Complex complex_10 = _e5;
-    return complex_10;
+    const Complex complex_11 = _e5;
+    return complex_11;
 }

@@ -1257,6 +1257,19 @@ fn faddeeva_gaussian(x: f32, y: f32) -> Complex {
     return Complex((re + re) * power.second, (im + im) * power.second);
 }
 
+// Returns w(re + i im) from its value at |re| + i |im|, by w(z) = 2 exp(-z^2) - w(-z) below the
+// real axis.
+fn faddeeva_in_plane(re: f32, im: f32, above: Complex) -> Complex {
+    var w_re = above.re;
+    var w_im = above.im;
+    if im < 0.0f {
+        let gaussian = faddeeva_gaussian(abs(re), abs(im));
+        w_re = gaussian.re - above.re;
+        w_im = gaussian.im + above.im;
+    }
+    return Complex(w_re, odd_continuation(re, w_im));
+}
+
 // Returns w(z) = exp(-z^2) erfc(-i z) at z = re + i im, to f32 grade in the upper half plane.
 //
 // The error counts against |w(z)| above the real axis and on it, and against |2 exp(-z^2)| +
@@ -1265,17 +1278,7 @@ fn faddeeva_gaussian(x: f32, y: f32) -> Complex {
 // infinite z gives 0 in
 // the upper half plane and on horizontal lines below it; straight down w tends to infinity.
 fn faddeeva_w(re: f32, im: f32) -> Complex {
-    let x = abs(re);
-    let y = abs(im);
-    let above = faddeeva_quadrant(x, y);
-    var w_re = above.re;
-    var w_im = above.im;
-    if im < 0.0f {
-        let gaussian = faddeeva_gaussian(x, y);
-        w_re = gaussian.re - above.re;
-        w_im = gaussian.im + above.im;
-    }
-    return Complex(w_re, odd_continuation(re, w_im));
+    return faddeeva_in_plane(re, im, faddeeva_quadrant(abs(re), abs(im)));
 }
 
 // Returns the polynomial of the coarse tier at v.
@@ -1316,17 +1319,7 @@ fn faddeeva_quadrant_coarse(x: f32, y: f32) -> Complex {
 
 // Returns w(z) of [`faddeeva_w`] to 5e-5.
 fn faddeeva_w_coarse(re: f32, im: f32) -> Complex {
-    let x = abs(re);
-    let y = abs(im);
-    let above = faddeeva_quadrant_coarse(x, y);
-    var w_re = above.re;
-    var w_im = above.im;
-    if im < 0.0f {
-        let gaussian = faddeeva_gaussian(x, y);
-        w_re = gaussian.re - above.re;
-        w_im = gaussian.im + above.im;
-    }
-    return Complex(w_re, odd_continuation(re, w_im));
+    return faddeeva_in_plane(re, im, faddeeva_quadrant_coarse(abs(re), abs(im)));
 }
 
 // ---- erf_difference ----
