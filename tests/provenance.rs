@@ -67,7 +67,7 @@ fn every_fitted_table_holds_the_numbers_that_its_script_wrote() {
             fit.script
         );
         assert!(
-            read(&format!("data/fits/{}", fit.script)).contains("provenance.record"),
+            read(&format!("data/fits/{}", fit.script)).contains("provenance.write_or_check("),
             "{}",
             fit.script
         );
