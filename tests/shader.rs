@@ -132,11 +132,11 @@ fn the_arcs_keep_their_limits_and_symmetries_exactly() {
 }
 
 /// The registered arc in turns, or another way to compute it.
-fn turns(call: fn(f32, f32, f32) -> f32) -> Method {
+fn turns(call: fn([f32; 3]) -> f32) -> Method {
     let registered = methods().iter().find(|m| m.function == "sinc_squared_integral_turns");
     let m = registered.expect("registered");
     Method {
-        call: Call::F32Triple(call),
+        call: Call::row(call),
         regions: m.regions.clone(),
         ..*m
     }
@@ -159,8 +159,8 @@ fn accuracy_of_width(method: &Method, width: f64) -> Accuracy {
 
 #[test]
 fn the_error_of_the_arc_in_turns_does_not_grow_with_the_phase() {
-    let ours = turns(shader::sinc_squared_integral_turns);
-    let naive = turns(|width, xi0, xi1| {
+    let ours = turns(|[width, xi0, xi1]| shader::sinc_squared_integral_turns(width, xi0, xi1));
+    let naive = turns(|[width, xi0, xi1]| {
         let scale = std::f32::consts::PI * width;
         shader::sinc_squared_integral(scale * xi0, scale * xi1)
     });

@@ -158,6 +158,22 @@ def text():
     )
     out += constants("EXPONENTIAL", c, f"(exp r - 1 - r)/r^2 in r; exp within {mp.nstr(error, 2)}.")
 
+    # arctan t on |t| <= tan(pi/8) and 2 artanh s on |s| <= tan^2(pi/8), in which a fraction of a logarithm lies.
+    tangent = mp.tan(pi / 8)
+
+    def arctangent(u):
+        t = mp.sqrt(u if u > mpf(10) ** -9 else mpf(10) ** -9)
+        return (1 - mp.atan(t) / t) / t**2
+
+    def artanh(u):
+        s = mp.sqrt(u if u > mpf(10) ** -9 else mpf(10) ** -9)
+        return (2 * mp.atanh(s) / s - 2) / s**2
+
+    c, error = minimax_fit(arctangent, lambda u: u * mp.sqrt(u), mpf(0), tangent**2 * mpf("1.001"), 4)
+    out += constants("ARCTANGENT", c, f"(1 - arctan t/t)/t^2 in t^2; arctan within {mp.nstr(error, 2)}.")
+    c, error = minimax_fit(artanh, lambda u: u * mp.sqrt(u), mpf(0), tangent**4 * mpf("1.001"), 3)
+    out += constants("ARTANH", c, f"(2 artanh s/s - 2)/s^2 in s^2; 2 artanh within {mp.nstr(error, 2)}.")
+
     # Si: head x + x^3 Q(x^2) and rational tail.
     for name, border, terms, degree in (("", 3, 6, 4), ("_MEDIUM", 4, 5, 2), ("_COARSE", "4.2", 4, 1)):
         border = mpf(border)

@@ -7,7 +7,8 @@
 Inputs are f64 written as hexadecimal floats. A result is (hi + lo) 2^exponent: hi is the certified value rounded to f64,
 lo the remainder rounded to f64, and the exponent is 0 except where the result would leave the normal numbers; beyond the
 range of f64 hi is an infinity. The last column holds the same value to 40 decimal digits. Every ball is refined until it
-has 220 correct bits. The complex functions and the Bessel functions are in complex_values.py.
+has 220 correct bits. The complex functions and the Bessel functions are in complex_values.py, the functions of
+scratches in scratch_values.py.
 """
 
 import math
@@ -19,6 +20,7 @@ from fractions import Fraction
 from flint import arb, ctx
 
 import complex_values
+import scratch_values
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 BITS = 220
@@ -166,6 +168,7 @@ def tables():
         "sine_integral.csv": table("x,hi,lo,exponent,decimal", si),
         "sinc_squared_integral.csv": table("q0,q1,hi,lo,exponent,decimal", arc),
         **complex_values.tables(table, columns),
+        **scratch_values.tables(table, columns),
     }
 
 

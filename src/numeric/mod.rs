@@ -7,6 +7,7 @@ pub(crate) mod phase;
 pub(crate) mod polynomial;
 pub(crate) mod product_phase;
 mod tables;
+pub(crate) mod turns;
 
 /// 1.5 * 2^52: adding it rounds to an integer, left in the low bits.
 pub(crate) const ROUND: f64 = 6755399441055744.0;

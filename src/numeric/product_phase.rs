@@ -70,7 +70,7 @@ fn reduce_large(a: f64, b: f64) -> (f64, u64) {
 }
 
 /// x = m 2^e with an integer m below 2^53, for finite x > 0; none otherwise.
-fn integer(x: f64) -> Option<(u64, i32)> {
+pub(super) fn integer(x: f64) -> Option<(u64, i32)> {
     if !(x > 0.0 && x < f64::INFINITY) {
         return None;
     }

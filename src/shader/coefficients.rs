@@ -56,6 +56,22 @@ pub(super) const EXPONENTIAL_D: f32 = 0.00836896;
 /// (exp r - 1 - r)/r^2 in r; exp within 3.1e-9.
 pub(super) const EXPONENTIAL_E: f32 = 0.0013950627;
 
+/// (1 - arctan t/t)/t^2 in t^2; arctan within 5.0e-9.
+pub(super) const ARCTANGENT_A: f32 = 0.33332753;
+/// (1 - arctan t/t)/t^2 in t^2; arctan within 5.0e-9.
+pub(super) const ARCTANGENT_B: f32 = -0.199718;
+/// (1 - arctan t/t)/t^2 in t^2; arctan within 5.0e-9.
+pub(super) const ARCTANGENT_C: f32 = 0.13823614;
+/// (1 - arctan t/t)/t^2 in t^2; arctan within 5.0e-9.
+pub(super) const ARCTANGENT_D: f32 = -0.07899901;
+
+/// (2 artanh s/s - 2)/s^2 in s^2; 2 artanh within 1.8e-10.
+pub(super) const ARTANH_A: f32 = 0.6666682;
+/// (2 artanh s/s - 2)/s^2 in s^2; 2 artanh within 1.8e-10.
+pub(super) const ARTANH_B: f32 = 0.39973545;
+/// (2 artanh s/s - 2)/s^2 in s^2; 2 artanh within 1.8e-10.
+pub(super) const ARTANH_C: f32 = 0.29962823;
+
 /// Border of head and tail.
 pub(super) const SI_BORDER: f32 = 3.0;
 

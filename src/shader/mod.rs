@@ -2,9 +2,10 @@
 //!
 //! # Definition
 //!
-//! Every function here is the f32 form of a function of [`special`](crate::special), or an elementary function that it
-//! stands on. One source serves three machines: scalars here, slices in `simd`, and shaders through the generated text
-//! [`WGSL`], [`WGSL_BEVY`], [`GLSL`] and [`HLSL`], in which every function has the name it has here.
+//! Every function here is the f32 form of a function of [`special`](crate::special), [`diffraction`](crate::diffraction)
+//! or [`sampling`](crate::sampling), or an elementary function that it stands on. One source serves three machines:
+//! scalars here, slices in `simd`, and shaders through the generated text [`WGSL`], [`WGSL_BEVY`], [`GLSL`] and [`HLSL`],
+//! in which every function has the name it has here.
 //!
 //! # Domain
 //!
@@ -20,23 +21,40 @@
 //!
 //! | function | f64: largest error of the promised | f64: time / best peer | f32: largest error of the promised | f32: time / best peer |
 //! |---|---|---|---|---|
-//! | `sine_integral` | 0.67 of 0.75 ulp | 0.36, slices 0.18 (cephes) | 1.9 of 2 ulp | 0.62, slices 0.056 (galsim) |
-//! | `sinc_squared_integral` | 9.2 of 16 eps | 0.25 (cephes_antiderivative) | 4.5e-7 of 6e-7 abs. | 0.43, slices 0.050 (rounded_antiderivative) |
+//! | `sine_integral` | 0.67 of 0.75 ulp | 0.36, slices 0.17 (cephes) | 1.9 of 2 ulp | 0.62, slices 0.058 (galsim) |
+//! | `sinc_squared_integral` | 9.2 of 16 eps | 0.29 (cephes_antiderivative) | 4.5e-7 of 6e-7 abs. | 0.43, slices 0.050 (rounded_antiderivative) |
 //! | `sinc` | 1.6 of 1.75 ulp | | | |
 //! | `sinc_squared_integral_turns` | | | 5.3e-7 of 6e-7 abs. | |
 //! | `sine` | | | 1.5e-7 of 2e-7 abs. | |
 //! | `cosine` | | | 2.5e-7 of 2.5e-7 abs. | |
 //! | `exponential` | | | 1.2 of 2 ulp | |
-//! | `faddeeva_w` | 1.9 of 2 eps | 0.31, slices 0.081 (libcerf) | 2.5 of 4 eps | 0.24, slices 0.020 (errorfunctions_rounded) |
-//! | `erf_complex` | 8.7 of 12 eps | 0.45 (libcerf) | | |
-//! | `erf_difference_scaled` | 3.9 of 6 eps of peak | 0.72 (errorfunctions_w) | 5.3e-7 of 1.4e-6 of peak | |
-//! | `bessel_i0_scaled` | 0.56 of 1 ulp | 0.21, slices 0.15 (cephes) | 0.94 of 1 ulp | 2.1, slices 0.23 (pxfm) |
-//! | `erf` | 0.50 of 0.501 ulp | 0.45, slices 0.26 (cephes) | | |
-//! | `erfc_complex` | 4.5 of 8 eps | 0.44 (libcerf) | | |
-//! | `erfcx` | 2.4 of 3 ulp | 3.5 (puruspe) | | |
-//! | `faddeeva_w_derivative` | 24 of 48 eps | 0.26 (libcerf) | | |
+//! | `faddeeva_w` | 1.9 of 2 eps | 0.31, slices 0.081 (libcerf) | 2.5 of 4 eps | 0.25, slices 0.020 (errorfunctions_rounded) |
+//! | `erf_complex` | 8.7 of 12 eps | no peer is finite | | |
+//! | `erf_difference_scaled` | 3.9 of 6 eps of peak | 0.73 (errorfunctions_w) | 5.3e-7 of 1.4e-6 of peak | |
+//! | `bessel_i0_scaled` | 0.56 of 1 ulp | 0.21, slices 0.15 (cephes) | 0.94 of 1 ulp | 2.2, slices 0.24 (pxfm) |
+//! | `erf` | 0.50 of 0.501 ulp | 0.46, slices 0.27 (cephes) | | |
+//! | `erfc_complex` | 4.5 of 8 eps | no peer is finite | | |
+//! | `erfcx` | 2.4 of 3 ulp | 3.9 (puruspe) | | |
+//! | `faddeeva_w_derivative` | 24 of 48 eps | 0.28 (libcerf) | | |
 //! | `log_bessel_i0` | 1.7 of 2 ulp | 0.33 (cephes) | 1.9 of 2 ulp | |
-//! | `bessel_i1_i0_ratio` | 0.62 of 0.75 ulp | 0.099 (cephes) | 1.4 of 2 ulp | |
+//! | `bessel_i1_i0_ratio` | 0.62 of 0.75 ulp | 0.100 (cephes) | 1.4 of 2 ulp | |
+//! | `spatial_phase` | 5.3e-16 of 1e-15 of peak | no peer is finite | 2.7e-6 of 3.5e-6 of peak | |
+//! | `profile_rectangle` | 1.6e-15 of 3e-15 of peak | | 5.3e-7 of 1e-6 of peak | |
+//! | `profile_triangle` | 3.9e-16 of 8e-16 of peak | | 2.9e-7 of 6e-7 of peak | |
+//! | `footprint_mean` | 2.3e-13 of 5e-13 of peak | 0.42 (quadrature_9) | 7.1e-7 of 2e-6 of peak | |
+//! | `footprint_mean_reduced` | 2.3e-13 of 5e-13 of peak | | | |
+//! | `footprint_mean_reduced_edge` | | | 6.4e-7 of 1e-6 of peak | |
+//! | `segment_energy` | 2.2e-15 of 4e-15 of peak | | | |
+//! | `sinc_squared_inverse` | 5.8e-13 of 1.2e-12 rel. | | | |
+//! | `spatial_phase_infinite` | 5.7e-16 of 1e-15 of peak | | 2.5e-7 of 5e-7 of peak | |
+//! | `depth_term` | 2.8 of 6 eps | | 6.0e-7 of 1e-6 abs. | |
+//! | `response_triangle` | 5.5e-16 of 1.2e-15 of peak | | 3.0e-7 of 5e-7 of peak | |
+//! | `response_rectangle_windowed` | 1.5e-16 of 4e-16 of peak | | | |
+//! | `base_response` | 3.2e-16 of 1e-15 of peak | | 1.8e-7 of 5e-7 of peak | |
+//! | `scratch_squared` | 9.2e-16 of 2e-15 of peak | | 3.7e-7 of 1e-6 of peak | |
+//! | `area_density` | 3.2e-16 of 1e-15 of peak | | 2.0e-7 of 5e-7 of peak | |
+//! | `gaussian_inverse` | 2.9 of 6 ulp | | 8.5e-7 of 1.5e-6 abs. | |
+//! | `von_mises_fisher_pdf` | 4.1e-16 of 1e-15 of peak | | | |
 //!
 //! <!-- report:end summary -->
 //!
@@ -64,19 +82,45 @@ mod elementary;
 mod erf_difference;
 mod faddeeva;
 mod faddeeva_coefficients;
+mod footprint;
+mod footprint_coefficients;
 mod gpu;
+mod interference;
+mod inverse;
+mod profile;
+mod reflectance;
+mod sampling;
 mod sinc_squared_integral;
 mod sine_integral;
+mod spatial_phase;
+mod turns;
 
 pub use bessel::{bessel_i0_scaled, bessel_ratio, log_bessel_izero};
 pub use elementary::{SineCosine, exponential, sine_cosine, sine_cosine_turns};
 pub use erf_difference::{erf_difference_scaled, erf_difference_scaled_turns};
 pub use faddeeva::{Complex, faddeeva_w, faddeeva_w_coarse};
+pub use footprint::{
+    footprint_half_width, footprint_mean, footprint_mean_coarse, footprint_mean_reduced, footprint_mean_reduced_coarse,
+};
+pub use interference::{base_interference, crossing_response};
+pub use profile::{depth_term, depth_term_squared, profile_rectangle, profile_triangle, response_triangle, width_term};
+pub use reflectance::{
+    area_density, energy_blend_base, energy_blend_scattered, energy_blend_scratches, reflectance_coherent,
+    reflectance_incoherent, scratch_squared,
+};
+pub use sampling::{
+    SampledDirection, balance_weight, base_lobe_pdf, base_lobe_sample, gaussian_inverse, scratch_cone_pdf,
+    scratch_cone_sample, scratch_lobe_pdf, scratch_lobe_sample,
+};
 pub use sinc_squared_integral::{
     sinc_squared_integral, sinc_squared_integral_coarse, sinc_squared_integral_medium, sinc_squared_integral_turns,
     sinc_squared_integral_velinov,
 };
 pub use sine_integral::{sine_integral, sine_integral_coarse, sine_integral_medium, sine_integral_velinov};
+pub use spatial_phase::{
+    area_density_amplitude, base_response, coherence_window, spatial_phase, spatial_phase_infinite,
+    spatial_phase_infinite_squared,
+};
 
 /// The kernels as WGSL: functions and constants only, to be put before a shader's own text.
 pub const WGSL: &str = include_str!("wgsl/iridescence.wgsl");

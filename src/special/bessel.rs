@@ -34,8 +34,8 @@
 //! |---|---|---|---|---|---|
 //! | `accurate` | iridescence f64 | f64 | 0.56 ulp | 1 ulp | 0.21 (cephes) |
 //! | `accurate`, slice | iridescence f64 slices | f64 | 0.56 ulp | 1 ulp | 0.15 (cephes) |
-//! | `accurate` | iridescence f32 | f32 | 0.94 ulp | 1 ulp | 2.12 (pxfm) |
-//! | `accurate`, slice | iridescence f32 slices | f32 | 0.94 ulp | 1 ulp | 1.00 (accurate) |
+//! | `accurate` | iridescence f32 | f32 | 0.94 ulp | 1 ulp | 2.23 (pxfm) |
+//! | `accurate`, slice | iridescence f32 slices | f32 | 0.94 ulp | 1 ulp | 0.10 (accurate, scalar) |
 //!
 //! <!-- report:end bessel_i0_scaled -->
 //!

@@ -5,39 +5,13 @@
 //! every panel of a place, and on the map of w the f64 nearest to each zero inside it. 0 is one epsilon, 15.65 the whole
 //! of f64, 6.92 the whole of f32. 99 stands for a result that is not finite; NaN for a truth beyond the range of f64.
 
-mod table;
-
-pub use table::{difference, read, write};
-
 use crate::axis_points::logarithmic;
+use crate::map_grid::{Measured, NOT_FINITE, Panel, Place, scalar};
 use reference::as_printed::Segment;
-use reference::generate::random::Random;
 use reference::metrics::{MISMATCH, Truth, complex};
 use reference::oracle::zeros;
-use reference::registry::{Call, Function, Method, Precision, function, methods};
+use reference::registry::{Call, Function, Precision, function};
 use std::f64::consts::TAU;
-
-/// Value of a cell with a result that is not finite.
-pub const NOT_FINITE: f64 = 99.0;
-/// Columns and rows of a panel.
-pub const CELLS: [usize; 2] = [48, 64];
-/// Random points measured in each cell beside its centre.
-const POINTS: u64 = 3;
-/// A place in a panel, in parts of 1, and the inputs there.
-type Place = ([f64; 2], Vec<f64>);
-
-/// Points for the share of a panel without a digit.
-const SPREAD: usize = 2000;
-const GOLDEN: f64 = 0.618_033_988_749_894_8;
-
-/// Place of point `i` of a lattice with this step: 1 for even spacing.
-fn part_of(i: usize, step: f64) -> f64 {
-    if step == 1.0 {
-        (i as f64 + 0.5) / SPREAD as f64
-    } else {
-        (i as f64 * step).fract()
-    }
-}
 
 /// The methods of w on its map, in the order of the panels.
 pub const W_METHODS: [&str; 4] = ["accurate", "errorfunctions", "puruspe", "libcerf"];
@@ -61,25 +35,6 @@ pub const WAVELENGTH: f64 = 0.55;
 pub const COSINE: [f64; 2] = [0.0, 1.0];
 /// Length of the scratch in micrometres; a quarter of it lies before the window's centre.
 pub const LENGTH: [f64; 2] = [1.0, 1e3];
-
-/// One map.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Panel {
-    /// Its place in the figure.
-    pub number: usize,
-    /// Cells, row by row from the bottom.
-    pub cells: Vec<f64>,
-    /// Part of the panel, in per cent, on which all digits of the method's precision are lost; from points of its own.
-    pub hopeless: f64,
-}
-
-impl Panel {
-    /// The largest value that is a number of digits.
-    pub fn most(&self) -> f64 {
-        let digits = self.cells.iter().filter(|c| **c < NOT_FINITE);
-        digits.copied().fold(0.0, f64::max)
-    }
-}
 
 /// Digits of a precision.
 pub fn digits(precision: Precision) -> f64 {
@@ -111,73 +66,6 @@ fn lost(function: &Function, call: &Call, row: &[f64]) -> f64 {
     }
 }
 
-/// The points of a cell within it, in parts of 1: the centre, then random ones.
-fn points_of_cell(index: usize) -> impl Iterator<Item = [f64; 2]> {
-    let mut random = Random::new(index as u64);
-    let others = (0..POINTS).map(move |_| [0; 2].map(|_| random.uniform(0.0, 1.0)));
-    std::iter::once([0.5; 2]).chain(others)
-}
-
-/// The cell that holds a place of a panel.
-fn cell_of([x, y]: [f64; 2]) -> usize {
-    let index = |part: f64, count: usize| ((part * count as f64) as usize).min(count - 1);
-    index(y, CELLS[1]) * CELLS[0] + index(x, CELLS[0])
-}
-
-/// Measures panels on all cores: `calls` by panel, `row` gives the inputs of a panel at a place of it, in parts of 1, and
-/// `more` the places where a panel is measured besides.
-fn measure(
-    function: &Function,
-    calls: &[(usize, Call)],
-    row: impl Fn(usize, [f64; 2]) -> Vec<f64> + Sync,
-    more: impl Fn(usize) -> Vec<Place>,
-) -> Vec<Panel> {
-    let [columns, rows] = CELLS;
-    let cell = |panel: usize, call: &Call, index: usize| {
-        let values = points_of_cell(index).map(|[s, t]| {
-            let x = ((index % columns) as f64 + s) / columns as f64;
-            let y = ((index / columns) as f64 + t) / rows as f64;
-            lost(function, call, &row(panel, [x, y]))
-        });
-        values.fold(f64::NAN, f64::max)
-    };
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let share = (columns * rows).div_ceil(threads);
-    let one = |&(number, call): &(usize, Call)| {
-        let mut cells = vec![f64::NAN; columns * rows];
-        std::thread::scope(|scope| {
-            for (part, slot) in cells.chunks_mut(share).enumerate() {
-                scope.spawn(move || {
-                    for (k, value) in slot.iter_mut().enumerate() {
-                        *value = cell(number, &call, part * share + k);
-                    }
-                });
-            }
-        });
-        for (place, row) in more(number) {
-            let worst = &mut cells[cell_of(place)];
-            *worst = worst.max(lost(function, &call, &row));
-        }
-        // An additive lattice: even in both directions.
-        let spread = (0..SPREAD).map(|i| row(number, [1.0, GOLDEN].map(|step| part_of(i, step))));
-        let gone = spread
-            .filter(|row| lost(function, &call, row) >= digits(call.precision()))
-            .count();
-        let hopeless = 100.0 * gone as f64 / SPREAD as f64;
-        Panel {
-            number,
-            cells,
-            hopeless,
-        }
-    };
-    calls.iter().map(one).collect()
-}
-
-fn scalar(function: &str, method: &str, precision: Precision) -> Option<&'static Method> {
-    let named = |m: &&Method| m.function == function && m.method == method && m.precision == precision;
-    methods().iter().filter(named).find(|m| !m.call.is_slice())
-}
-
 /// The map of w: two panels a method, the linear window first.
 pub fn faddeeva_w() -> Result<Vec<Panel>, String> {
     let function = function("faddeeva_w").ok_or("w is not registered")?;
@@ -202,7 +90,13 @@ pub fn faddeeva_w() -> Result<Vec<Panel>, String> {
             Vec::new()
         }
     };
-    Ok(measure(function, &calls, row, near_zeros))
+    let measured = Measured {
+        score: |call: &Call, row: &[f64]| lost(function, call, row),
+        row,
+        more: near_zeros,
+        worthless: digits,
+    };
+    Ok(measured.panels(&calls))
 }
 
 /// The zeros of w in the linear window, each rounded to f64.
@@ -234,12 +128,19 @@ pub fn spatial_phase() -> Result<Vec<Panel>, String> {
         let xi1 = COSINE[0] + s * (COSINE[1] - COSINE[0]);
         segment.arguments(TAU / WAVELENGTH, xi1).to_vec()
     };
-    Ok(measure(function, &calls, row, |_| Vec::new()))
+    let measured = Measured {
+        score: |call: &Call, row: &[f64]| lost(function, call, row),
+        row,
+        more: |_| Vec::new(),
+        worthless: digits,
+    };
+    Ok(measured.panels(&calls))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::map_grid::{CELLS, cell_of};
 
     #[test]
     fn each_zero_of_w_darkens_the_cell_it_lies_in() {

@@ -6,7 +6,7 @@
 
 use crate::ledger::Entry;
 use crate::names::{self, methods_of, unknown};
-use crate::promise::bound_on_error;
+use crate::promise::{bound_on_error, unit};
 use crate::rows::{Next, Rows};
 use reference::registry::{Function, Method, Origin, Precision};
 use std::io::{self, BufRead, Write};
@@ -19,7 +19,8 @@ pub struct Request<'a> {
     pub precision: Precision,
     /// The method, if one is named.
     pub method: Option<&'a str>,
-    /// The largest error allowed, as a multiple of max(1, |result|), if one is given.
+    /// The largest error allowed, if one is given: as a multiple of max(1, |result|), or of max(scale, |result|) where the
+    /// function's scale has a unit.
     pub tolerance: Option<f64>,
 }
 
@@ -53,7 +54,7 @@ pub fn choose(request: &Request, ledger: &[Entry]) -> Result<(&'static Function,
     if !(tolerance > 0.0 && tolerance.is_finite()) {
         return Err(format!("a tolerance is a positive number, not {tolerance}"));
     }
-    let bound = |m: &Method| m.budget.map_or(f64::INFINITY, |b| bound_on_error(b, m.precision));
+    let bound = |m: &Method| bound_on_error(m);
     let cost = |m: &Method| {
         ledger
             .iter()
@@ -72,7 +73,8 @@ pub fn choose(request: &Request, ledger: &[Entry]) -> Result<(&'static Function,
     });
     cheapest.map(|m| (function, m)).ok_or_else(|| {
         let best = own.iter().map(|m| bound(m)).fold(f64::INFINITY, f64::min);
-        format!("no {precision} method of {} promises an error of at most {tolerance:e} max(1, |result|); the best promises {best:.3e}", function.name)
+        let scale = unit(function.name).unwrap_or("1");
+        format!("no {precision} method of {} promises an error of at most {tolerance:e} max({scale}, |result|); the best promises {best:.3e}", function.name)
     })
 }
 
@@ -92,7 +94,7 @@ pub fn evaluate(function: &Function, method: &Method, input: impl BufRead, outpu
     let mut output = io::LineWriter::new(output);
     let mut row = Vec::with_capacity(names.len());
     let end = loop {
-        match rows.next(&mut row)? {
+        match rows.next(&mut row, function.refuse)? {
             Next::Row => {
                 let results = method.call.evaluate(&row);
                 let words: Vec<String> = results.iter().map(|x| format!("{x:.16e}")).collect();
@@ -124,6 +126,11 @@ pub fn list() -> String {
             each.join(", ")
         };
         text.push_str(&format!("{}: {}\n", f.name, f.summary));
+        if let Some(scale) = unit(f.name) {
+            text.push_str(&format!(
+                "  scale:   {scale}; peak errors and tolerances are multiples of it\n"
+            ));
+        }
         text.push_str(&format!(
             "  inputs:  {}\n  results: {}\n  methods:\n",
             columns(f.inputs),

@@ -1,6 +1,7 @@
 //! The figures asked of the crate, each with what the ledger says. The figures are targets, typed here once; what was
 //! measured comes from the ledger, the counts of exact properties from [`crate::exact`].
 
+mod diffraction;
 mod special;
 
 use crate::front::front;
@@ -57,22 +58,38 @@ impl<'a> Ledger<'a> {
 const SI: &str = "sine_integral";
 const ARC: &str = "sinc_squared_integral";
 /// Functions on whose fronts no peer may stand.
-const FRONTS: [&str; 6] = [
+const FRONTS: [&str; 10] = [
     SI,
     ARC,
     "faddeeva_w",
     "erf_complex",
     "erf_difference_scaled",
     "bessel_i0_scaled",
+    "spatial_phase",
+    "profile_rectangle",
+    "profile_triangle",
+    "footprint_mean",
 ];
 use Precision::{F32, F64};
 
 fn at_most(value: f64, bound: f64, unit: &str) -> (String, bool) {
-    (format!("{}{unit}", short(value)), value <= bound)
+    judged(value, value <= bound, unit)
 }
 
 fn at_least(value: f64, bound: f64, unit: &str) -> (String, bool) {
-    (format!("{}{unit}", short(value)), value >= bound)
+    judged(value, value >= bound, unit)
+}
+
+/// A figure in two digits; in three where it is missed, lest it read as the one asked.
+fn judged(value: f64, reached: bool, unit: &str) -> (String, bool) {
+    let plain = !reached && (0.01..1000.0).contains(&value);
+    let digits = (2 - libm::floor(libm::log10(value)) as i32).max(0) as usize;
+    let text = if plain {
+        format!("{value:.digits$}")
+    } else {
+        short(value)
+    };
+    (format!("{text}{unit}"), reached)
 }
 
 fn sine_integral(l: &Ledger) -> Vec<Goal> {
@@ -187,6 +204,7 @@ pub fn goals(entries: &[Entry]) -> Vec<Goal> {
     let mut all = sine_integral(&ledger);
     all.extend(arc(&ledger));
     all.extend(special::goals(&ledger));
+    all.extend(diffraction::goals(&ledger));
     for function in FRONTS {
         for (scalar_only, asked) in [
             (false, "no peer on the front"),
@@ -249,6 +267,9 @@ mod tests {
             Some(false)
         );
         assert_eq!(of(&entries, "no peer on the front"), Some(false));
+        assert_eq!(at_most(1.204, 1.2, " x").0, "1.20 x");
+        assert_eq!(at_least(24.96, 25.0, " x"), ("25.0 x".to_string(), false));
+        assert_eq!(at_most(2.8e5, 64.0, "").0, "2.8e5");
         assert_eq!(of(&entries, "f32 grade: at most 2 ulp"), None);
         entries[1].ns = 11.0;
         assert_eq!(of(&entries, "no peer on the front"), Some(true));

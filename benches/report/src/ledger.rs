@@ -5,7 +5,7 @@
 
 use crate::budget_text::{budget_text, parse_budget};
 use crate::{hex_float, names};
-use reference::registry::{Budget, Metric, Origin, Precision};
+use reference::registry::{Budget, Metric, Origin, Precision, function};
 
 /// One row of the ledger.
 #[derive(Clone, Debug)]
@@ -106,14 +106,17 @@ pub fn error_text(value: f64) -> String {
 }
 
 /// What [`Entry::charted`] is for a function, in words.
-pub fn charted_error(function: &str) -> &'static str {
-    match function {
+pub fn charted_error(name: &str) -> String {
+    let plain = match name {
         "sinc_squared_integral" | "sinc_squared_integral_turns" => "99.9th percentile of the relative error",
         "sine" | "cosine" => "largest absolute error",
-        "erf_difference_scaled" => "largest error as a multiple of the value at b = 0",
         "faddeeva_w" => "largest norm-wise error, upper half plane",
         _ => "largest relative error",
-    }
+    };
+    let peak = function(name).and_then(|f| f.peak);
+    peak.map_or(plain.to_string(), |peak| {
+        format!("largest error as a multiple of {}", peak.words)
+    })
 }
 
 impl Entry {
@@ -144,12 +147,12 @@ impl Entry {
     ///
     /// A relative error has no bound where a function vanishes: beside the double zeros of sinc^2 the largest one tells
     /// of the last place of the input alone, so an arc shows what 99.9 % of its errors keep, and a sine or cosine its
-    /// absolute error.
+    /// absolute error. A function with a scale of its own shows the error as a multiple of it.
     pub fn charted(&self) -> f64 {
         match self.function.as_str() {
             "sinc_squared_integral" | "sinc_squared_integral_turns" => self.p999_rel,
             "sine" | "cosine" => self.max_abs,
-            "erf_difference_scaled" => self.max_peak,
+            name if function(name).is_some_and(|f| f.peak.is_some()) => self.max_peak,
             _ => self.max_rel,
         }
     }

@@ -2,7 +2,7 @@
 
 use clap::{Parser, Subcommand, ValueEnum};
 use reference::registry::Precision;
-use report::{budget_text, eval, ledger, run};
+use report::{budget_text, eval, ledger, promise, run};
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -48,7 +48,8 @@ enum Command {
         /// One method by name instead of the accurate one.
         #[arg(long)]
         method: Option<String>,
-        /// Picks the cheapest own method in this precision that promises |error| <= T max(1, |result|).
+        /// Picks the cheapest own method in this precision that promises |error| <= T max(1, |result|), or T max(scale,
+        /// |result|) for a function with a scale that has a unit, as `report list` says.
         #[arg(long, value_name = "T", conflicts_with = "method", allow_negative_numbers = true)]
         tolerance: Option<f64>,
     },
@@ -128,8 +129,9 @@ fn evaluate(request: &eval::Request) -> ExitCode {
         }
     };
     if request.tolerance.is_some() {
+        let scale = promise::unit(method.function).map_or(String::new(), |words| format!(", the scale {words}"));
         eprintln!(
-            "report eval: method {} promises {}",
+            "report eval: method {} promises {}{scale}",
             method.method,
             budget_text::budget_text(method.budget)
         );

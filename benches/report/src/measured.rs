@@ -130,7 +130,7 @@ pub fn times(entries: &mut [Entry], effort: Effort) {
                 e.device.clone_from(&device);
                 e.ns = time;
                 e.cost = base_time.map_or(f64::NAN, |b| time / b);
-                e.baseline = base.map_or(String::new(), |b| b.method.to_string());
+                e.baseline = base.map_or(String::new(), |b| timing::baseline_name(m, b));
             }
         }
         progress.inc(1);

@@ -10,15 +10,29 @@ fn accurate<'a>(entries: &'a [Entry], function: &str, precision: Precision, call
     entries.iter().find(|e| e.origin == Origin::Ours && e.key() == key)
 }
 
-/// The peer whose time ours is a ratio to: the fastest that keeps a correct digit; the fastest where none does.
-fn best_peer<'a>(entries: &'a [Entry], function: &str, precision: Precision) -> Option<&'a Entry> {
+/// The peer whose time ours is a ratio to.
+enum Rival<'a> {
+    /// No peer is timed.
+    None,
+    /// Every timed peer gives results that are not finite where the truth is.
+    NoneFinite,
+    /// The fastest that keeps a correct digit; where none does, the fastest that is finite.
+    Best(&'a Entry),
+}
+
+fn best_peer<'a>(entries: &'a [Entry], function: &str, precision: Precision) -> Rival<'a> {
     let peers = || {
         let of_function = entries.iter().filter(|e| e.function == function && e.ns > 0.0);
         of_function.filter(|e| e.origin == Origin::Peer && e.precision == precision)
     };
     let by_time = |a: &&Entry, b: &&Entry| a.ns.total_cmp(&b.ns);
+    let finite = || peers().filter(|e| e.non_finite == 0);
     let kept = peers().filter(|e| e.charted() < 1.0).min_by(by_time);
-    kept.or_else(|| peers().min_by(by_time))
+    match kept.or_else(|| finite().min_by(by_time)) {
+        Some(peer) => Rival::Best(peer),
+        None if peers().next().is_some() => Rival::NoneFinite,
+        None => Rival::None,
+    }
 }
 
 /// The largest error of a row, of the one it promises.
@@ -37,8 +51,10 @@ fn error(own: Option<&Entry>) -> String {
 
 /// Times of the scalar and the slice form as multiples of the best peer's.
 fn time(entries: &[Entry], function: &str, precision: Precision) -> String {
-    let Some(peer) = best_peer(entries, function, precision) else {
-        return String::new();
+    let peer = match best_peer(entries, function, precision) {
+        Rival::None => return String::new(),
+        Rival::NoneFinite => return "no peer is finite".to_string(),
+        Rival::Best(peer) => peer,
     };
     let ratio = |call: &str| {
         let own = accurate(entries, function, precision, call).filter(|e| e.ns > 0.0);
@@ -114,8 +130,12 @@ mod tests {
             "{}",
             table(&entries)
         );
-        // Where no peer keeps a digit, the fastest of them.
+        // Where no peer keeps a digit, the fastest of them that is finite; and it is said where none is.
         entries[4].max_rel = 2.0;
         assert!(table(&entries).contains("| 2.0, slices 0.50 (wild) |"));
+        entries[5].non_finite = 3;
+        assert!(table(&entries).contains("| 0.50, slices 0.12 (cephes) |"));
+        entries[4].non_finite = 1;
+        assert!(table(&entries).contains("| no peer is finite |"));
     }
 }

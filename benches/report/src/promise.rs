@@ -2,13 +2,10 @@
 
 use crate::budget_text::{budget_text, metric};
 use crate::ledger::{Entry, error_text};
-use reference::registry::{Budget, Metric, Precision};
+use reference::registry::{Method, Metric, Precision, function};
 
 /// How many times looser than the measurement a bound may be.
 pub const LOOSEST: f64 = 4.0;
-
-/// Largest value of any function's scale, [`reference::registry::Function::peak`].
-const LARGEST_PEAK: f64 = 2.0;
 
 /// What a measurement says about a promise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,26 +55,40 @@ pub fn complaint(entry: &Entry) -> Option<String> {
     ))
 }
 
-/// The bound `e` of a budget such that |error| <= e max(1, |truth|): absolute bounds and relative bounds both
+/// The bound `e` of a method's budget such that |error| <= e max(1, |truth|): absolute bounds and relative bounds both
 /// imply it. One ulp is at most one epsilon of a normal result; of a complex one |error| and |truth| are norms, and an ulp
 /// of each component is at most sqrt(2) epsilon of the norm.
-pub fn bound_on_error(budget: Budget, precision: Precision) -> f64 {
-    let epsilon = match precision {
+///
+/// Where the function's scale has a unit and no largest value ([`unit()`]), the bound is |error| <= e max(scale, |truth|),
+/// and an absolute bound implies nothing.
+pub fn bound_on_error(method: &Method) -> f64 {
+    let Some(budget) = method.budget else {
+        return f64::INFINITY;
+    };
+    let peak = function(method.function).and_then(|f| f.peak);
+    let epsilon = match method.precision {
         Precision::F64 => f64::EPSILON,
         Precision::F32 => f64::from(f32::EPSILON),
     };
     match budget.metric {
         Metric::Ulp | Metric::Eps => budget.bound * epsilon,
+        Metric::Absolute if unit(method.function).is_some() => f64::INFINITY,
         Metric::Absolute | Metric::Relative => budget.bound,
-        Metric::Peak => LARGEST_PEAK * budget.bound,
+        Metric::Peak => peak.and_then(|p| p.largest).unwrap_or(1.0) * budget.bound,
     }
+}
+
+/// The scale in which a tolerance for a function counts, in words, where it is not 1.
+pub fn unit(name: &str) -> Option<&'static str> {
+    let peak = function(name).and_then(|f| f.peak)?;
+    peak.largest.is_none().then_some(peak.words)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::ledger::sample;
-    use reference::registry::Origin;
+    use reference::registry::{Budget, Origin, methods};
 
     #[test]
     fn a_bound_is_broken_from_below_and_too_loose_from_above() {
@@ -87,6 +98,24 @@ mod tests {
         assert_eq!(judge(1.0, 0.2499), Verdict::TooLoose);
         assert_eq!(judge(1.0, f64::NAN), Verdict::Broken);
         assert_eq!(judge(1.0, 0.0), Verdict::TooLoose);
+    }
+
+    #[test]
+    fn a_tolerance_counts_in_the_scale_of_functions_that_have_a_unit_and_in_numbers_elsewhere() {
+        let bound = |function: &str, metric, bound| {
+            let m = methods().iter().find(|m| m.function == function && m.budget.is_some());
+            let m = m.expect("registered");
+            bound_on_error(&Method {
+                budget: Some(Budget { metric, bound }),
+                regions: Vec::new(),
+                ..*m
+            })
+        };
+        assert_eq!(bound("sine_integral", Metric::Absolute, 1e-3), 1e-3);
+        assert_eq!(bound("sine_integral", Metric::Ulp, 2.0), 2.0 * f64::EPSILON);
+        // |erf(a2) - erf(a1)| is at most 2.
+        assert_eq!(bound("erf_difference_scaled", Metric::Peak, 1e-3), 2e-3);
+        assert_eq!(unit("erf_difference_scaled"), None);
     }
 
     #[test]

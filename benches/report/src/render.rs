@@ -1,12 +1,15 @@
 //! Everything that is drawn from committed numbers: charts and the generated parts of pages. No measurement, no clock.
 
-use crate::chart::digits::{self, Frame, Scale};
+use crate::chart::digits::{self, Frame, Measure, Scale};
 use crate::chart::{error_time, failures, ulp};
-use crate::digit_map::{self, Panel};
 use crate::ledger::Entry;
-use crate::{names, pages, series, tables};
+use crate::map_grid::{self, Panel};
+use crate::{digit_map, fourier_figures};
+use crate::{names, pages, run, series, tables};
 use reference::registry::Precision;
 use std::path::{Path, PathBuf};
+
+mod scratch_maps;
 
 /// A file's path below the root and its text.
 pub type File = (PathBuf, String);
@@ -21,16 +24,39 @@ pub struct Numbers {
     pub map: String,
     /// CSV of the ulp plot of the scaled Bessel function, once measured.
     pub bessel_ulp: Option<String>,
-    /// CSV of the map of w over the complex plane, once measured.
-    pub plane: Option<String>,
-    /// CSV of the map of the spatial phase over the hemisphere, once measured.
-    pub phase: Option<String>,
+    /// CSV of the cuts of one scratch's lobe, once measured.
+    pub one_scratch: Option<String>,
+    /// Path and CSV of each map of panels, once measured.
+    pub panels: Vec<(&'static str, String)>,
+}
+
+impl Numbers {
+    /// The CSV of the map of panels at a path.
+    pub fn map_of(&self, path: &str) -> Option<&str> {
+        let found = self.panels.iter().find(|(known, _)| *known == path);
+        found.map(|(_, csv)| csv.as_str())
+    }
 }
 
 /// Why the published arc loses its digits and its sign; the caption of the failure map.
 const CAUSE: [&str; 2] = [
     "Cause: cancellation. The published fit of Si is off by a bias that does not cancel between the two ends of an arc,",
     "and its antiderivative is not monotone; away from the peak the difference is smaller than the bias, or negative.",
+];
+
+/// What draws a map.
+type Drawing = fn(&[Panel], &[Entry]) -> String;
+/// The maps of panels: where the numbers lie, the name of the picture, what draws it.
+const MAPS: [(&str, &str, Drawing); 5] = [
+    (run::PLANE, "failures/faddeeva_w", plane),
+    (run::PHASE, "failures/spatial_phase_vwh18", phase),
+    (run::TEN, "charts/ten_scratches_wvjh17", scratch_maps::ten_scratches),
+    (run::FOOTPRINT, "failures/footprint_mean_vwh18", scratch_maps::footprint),
+    (
+        run::TRIANGLE,
+        "failures/profile_triangle_wvjh17",
+        scratch_maps::triangle,
+    ),
 ];
 
 /// All charts.
@@ -48,6 +74,19 @@ pub fn charts(numbers: &Numbers) -> Result<Vec<File>, String> {
         ("erf", "Error function on the real line: error against time"),
         ("erf_difference_scaled", "Scaled erf difference: error against time"),
         ("bessel_i0_scaled", "Scaled Bessel function I0: error against time"),
+        ("spatial_phase", "Spatial phase of a finite scratch: error against time"),
+        (
+            "profile_rectangle",
+            "Transform of a rectangular profile: error against time",
+        ),
+        (
+            "profile_triangle",
+            "Transform of a triangular profile: error against time",
+        ),
+        (
+            "footprint_mean",
+            "Mean over the footprint of a pixel: error against time",
+        ),
     ] {
         if !entries.iter().any(|e| e.function == function && e.ns > 0.0) {
             continue;
@@ -68,13 +107,15 @@ pub fn charts(numbers: &Numbers) -> Result<Vec<File>, String> {
         let text = ulp::draw(&format!("{function} in f64: error over x"), &bins, &words);
         files.push((PathBuf::from(format!("docs/charts/{function}_ulp.svg")), text));
     }
-    if let Some(csv) = &numbers.plane {
-        let text = plane(&digit_map::read(csv)?, entries);
-        files.push((PathBuf::from("docs/failures/faddeeva_w.svg"), text));
+    if let Some(csv) = &numbers.one_scratch {
+        let text = scratch_maps::one_scratch(&fourier_figures::read(csv)?);
+        files.push((PathBuf::from("docs/charts/one_scratch_wvjh17.svg"), text));
     }
-    if let Some(csv) = &numbers.phase {
-        let text = phase(&digit_map::read(csv)?);
-        files.push((PathBuf::from("docs/failures/spatial_phase_vwh18.svg"), text));
+    for (path, name, draw) in MAPS {
+        if let Some(csv) = numbers.map_of(path) {
+            let text = draw(&map_grid::read(csv)?, entries);
+            files.push((PathBuf::from(format!("docs/{name}.svg")), text));
+        }
     }
     let cells = series::read_map(&numbers.map)?;
     let title = "Relative error of the sinc\u{b2} arc: the published fit and ours";
@@ -145,11 +186,12 @@ fn plane(panels: &[Panel], entries: &[Entry]) -> String {
         &cause.map(String::from),
         &frames,
         panels,
+        Measure::Digits,
     )
 }
 
 /// The map of the spatial phase: as printed above ours.
-fn phase(panels: &[Panel]) -> String {
+fn phase(panels: &[Panel], _: &[Entry]) -> String {
     let mut frames = Vec::new();
     let mut shares = Vec::new();
     for (i, (method, precision)) in digit_map::PHASE_METHODS.into_iter().enumerate() {
@@ -198,6 +240,7 @@ fn phase(panels: &[Panel]) -> String {
         &cause,
         &frames,
         panels,
+        Measure::Digits,
     )
 }
 
@@ -225,11 +268,11 @@ fn phase_shares(panels: &[Panel]) -> String {
     text
 }
 
-/// A generated part of a page, by name: `spatial_phase` from its map, all others from the ledger.
+/// A generated part of a page, by name: `spatial_phase_digits` from its map, all others from the ledger.
 fn part(name: &str, numbers: &Numbers) -> Result<String, String> {
-    match (name, &numbers.phase) {
-        ("spatial_phase", Some(csv)) => Ok(phase_shares(&digit_map::read(csv)?)),
-        ("spatial_phase", None) => Ok(phase_shares(&[])),
+    match (name, numbers.map_of(run::PHASE)) {
+        ("spatial_phase_digits", Some(csv)) => Ok(phase_shares(&map_grid::read(csv)?)),
+        ("spatial_phase_digits", None) => Ok(phase_shares(&[])),
         _ => tables::table(name, &numbers.entries),
     }
 }

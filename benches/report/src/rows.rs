@@ -61,8 +61,13 @@ impl<R: BufRead> Rows<R> {
         }
     }
 
-    /// Reads up to the next row and writes its numbers into `row`.
-    pub fn next(&mut self, row: &mut Vec<f64>) -> io::Result<Next> {
+    /// Reads up to the next row and writes its numbers into `row`; `refuse` says which column is out of place, from 0, and
+    /// why. For `single` it sees the numbers rounded to f32.
+    pub fn next(
+        &mut self,
+        row: &mut Vec<f64>,
+        refuse: impl Fn(&[f64]) -> Option<(usize, &'static str)>,
+    ) -> io::Result<Next> {
         loop {
             self.bytes.clear();
             let limit = LONGEST_LINE as u64 + 1;
@@ -87,9 +92,15 @@ impl<R: BufRead> Rows<R> {
                 continue;
             }
             row.clear();
-            return Ok(match self.numbers(text, row) {
-                Ok(()) => Next::Row,
-                Err((column, reason)) => self.bad(column, reason),
+            if let Err((column, reason)) = self.numbers(text, row) {
+                return Ok(self.bad(column, reason));
+            }
+            if self.single {
+                row.iter_mut().for_each(|x| *x = f64::from(*x as f32));
+            }
+            return Ok(match refuse(row) {
+                None => Next::Row,
+                Some((column, reason)) => self.bad(Some(column + 1), reason.to_string()),
             });
         }
     }
@@ -174,11 +185,15 @@ fn number(word: &str, single: bool) -> Result<f64, String> {
 mod tests {
     use super::*;
 
+    fn not_minus_seven(row: &[f64]) -> Option<(usize, &'static str)> {
+        (row[0] == -7.0).then_some((0, "a is -7"))
+    }
+
     fn read(text: &str, names: &[&str]) -> (Vec<Vec<f64>>, Option<Refusal>) {
         let mut rows = Rows::new(text.as_bytes(), names, false);
         let (mut all, mut row) = (Vec::new(), Vec::new());
         loop {
-            match rows.next(&mut row).expect("reading from memory") {
+            match rows.next(&mut row, not_minus_seven).expect("reading from memory") {
                 Next::Row => all.push(row.clone()),
                 Next::End => return (all, None),
                 Next::Bad(refusal) => return (all, Some(refusal)),
@@ -214,6 +229,7 @@ mod tests {
             ),
             ("1 1e999", 1, Some(2), "\"1e999\" is beyond the range of f64"),
             ("1;2 3", 1, Some(1), "\"1;2\" is not a number"),
+            ("1 2\n-7 2", 2, Some(1), "a is -7"),
         ] {
             let refusal = read(text, &["a", "b"]).1.expect(text);
             assert_eq!(

@@ -1,9 +1,10 @@
 //! The four ways to run `report`: full, quick, check, render.
 
 use crate::ledger::{self, COLUMNS, Entry};
+use crate::map_grid::{self, Panel};
 use crate::measured::{self, FULL, QUICK};
 use crate::render::{self, File, Numbers};
-use crate::{digit_map, names, number_table, series, summary};
+use crate::{digit_map, error_map, fourier_figures, names, number_table, series, summary};
 use reference::registry::Origin;
 use std::path::{Path, PathBuf};
 
@@ -20,6 +21,26 @@ pub const BESSEL_ULP: &str = "data/charts/bessel_i0_scaled_ulp.csv";
 pub const PLANE: &str = "data/charts/faddeeva_w_digits.csv";
 /// Path of the map of the spatial phase over the hemisphere.
 pub const PHASE: &str = "data/charts/spatial_phase_digits.csv";
+/// Path of the map of the mean over a footprint.
+pub const FOOTPRINT: &str = "data/charts/footprint_mean_errors.csv";
+/// Path of the map of the triangle's transform.
+pub const TRIANGLE: &str = "data/charts/profile_triangle_errors.csv";
+
+/// Path of the map of ten scratches over the hemisphere.
+pub const TEN: &str = "data/charts/ten_scratches.csv";
+/// Path of the cuts of one scratch's lobe.
+pub const ONE: &str = "data/charts/one_scratch.csv";
+
+/// What measures a map.
+type Measurement = fn() -> Result<Vec<Panel>, String>;
+/// The maps of panels: where each lies and what measures it.
+const MAPS: [(&str, Measurement); 5] = [
+    (PLANE, digit_map::faddeeva_w),
+    (PHASE, digit_map::spatial_phase),
+    (FOOTPRINT, error_map::footprint),
+    (TRIANGLE, error_map::triangle),
+    (TEN, fourier_figures::ten_scratches),
+];
 
 /// What to do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,8 +104,11 @@ fn measure(effort: measured::Effort, target: PathBuf) -> Result<Report, String> 
         bessel_ulp: measured::best_peer("bessel_i0_scaled", &entries)
             .and_then(|peer| measured::ulp(peer, effort))
             .ok(),
-        plane: Some(digit_map::write(&digit_map::faddeeva_w()?)),
-        phase: Some(digit_map::write(&digit_map::spatial_phase()?)),
+        panels: MAPS
+            .iter()
+            .map(|(path, measure)| Ok((*path, map_grid::write(&measure()?))))
+            .collect::<Result<_, String>>()?,
+        one_scratch: Some(fourier_figures::one_scratch()),
         entries,
     };
     let mut files = vec![
@@ -92,13 +116,14 @@ fn measure(effort: measured::Effort, target: PathBuf) -> Result<Report, String> 
         (PathBuf::from(ULP), numbers.ulp.clone()),
         (PathBuf::from(MAP), numbers.map.clone()),
     ];
-    for (path, text) in [
-        (BESSEL_ULP, &numbers.bessel_ulp),
-        (PLANE, &numbers.plane),
-        (PHASE, &numbers.phase),
-    ] {
-        files.extend(text.iter().map(|text| (PathBuf::from(path), text.clone())));
-    }
+    let lines = numbers.bessel_ulp.iter().map(|text| (BESSEL_ULP, text));
+    let lines = lines.chain(numbers.one_scratch.iter().map(|text| (ONE, text)));
+    let maps = numbers.panels.iter().map(|(path, text)| (*path, text));
+    files.extend(
+        lines
+            .chain(maps)
+            .map(|(path, text)| (PathBuf::from(path), text.clone())),
+    );
     // The ledger keeps five digits; what is drawn must follow from what is written.
     let numbers = Numbers {
         entries: ledger::read(&files[0].1)?,
@@ -148,8 +173,11 @@ pub fn committed() -> Result<Numbers, String> {
         ulp: read(ULP)?,
         map: read(MAP)?,
         bessel_ulp: read(BESSEL_ULP).ok(),
-        plane: read(PLANE).ok(),
-        phase: read(PHASE).ok(),
+        one_scratch: read(ONE).ok(),
+        panels: MAPS
+            .iter()
+            .filter_map(|(path, _)| Some((*path, read(path).ok()?)))
+            .collect(),
     })
 }
 
@@ -255,13 +283,14 @@ fn check() -> Result<Report, String> {
         let difference = ulp_difference("bessel_i0_scaled", committed, &fresh)?;
         found.extend(difference.map(|e| format!("{BESSEL_ULP}: {e}")));
     }
-    for (path, committed, fresh) in [
-        (PLANE, &numbers.plane, digit_map::faddeeva_w()?),
-        (PHASE, &numbers.phase, digit_map::spatial_phase()?),
-    ] {
-        match committed {
+    if let Some(committed) = &numbers.one_scratch {
+        let difference = fourier_figures::difference(committed, &fourier_figures::one_scratch())?;
+        found.extend(difference.map(|e| format!("{ONE}: {e}")));
+    }
+    for (path, measure) in MAPS {
+        match numbers.map_of(path) {
             Some(committed) => {
-                found.extend(digit_map::difference(committed, &fresh)?.map(|e| format!("{path}: {e}")));
+                found.extend(map_grid::difference(committed, &measure()?)?.map(|e| format!("{path}: {e}")));
             }
             None => found.push(format!("{path} is missing")),
         }

@@ -83,7 +83,7 @@ pub fn measure(methods: &[&Method], budget: Duration, mut tick: impl FnMut()) ->
 }
 
 /// The method that costs of a function and precision refer to: Cephes in f64, the published fit in f32 (its slice
-/// form for slices), else the first of another origin, else the first.
+/// form for slices), else the first of another origin; of a slice form then the scalar form, of a scalar one the first.
 pub fn baseline<'a>(methods: &[&'a Method], method: &Method) -> Option<&'a Method> {
     let slice = method.slice_of.is_some() && method.precision == Precision::F32;
     let same = || {
@@ -100,8 +100,24 @@ pub fn baseline<'a>(methods: &[&'a Method], method: &Method) -> Option<&'a Metho
         .find_map(|name| same().find(|m| m.method.starts_with(name)));
     named
         .or_else(|| same().find(|m| m.origin != reference::registry::Origin::Ours))
+        .or_else(|| {
+            let scalar = |m: &&&Method| {
+                method.slice_of == Some(m.method) && m.precision == method.precision && !m.call.is_slice()
+            };
+            methods.iter().find(scalar)
+        })
         .or_else(|| same().next())
         .copied()
+}
+
+/// What the ledger calls a baseline: its method; of a slice form that is held against its scalar form, that too.
+pub fn baseline_name(method: &Method, base: &Method) -> String {
+    let form = if method.call.is_slice() && !base.call.is_slice() && method.slice_of == Some(base.method) {
+        ", scalar"
+    } else {
+        ""
+    };
+    format!("{}{form}", base.method)
 }
 
 /// The processor's name, for the ledger.
@@ -113,4 +129,27 @@ pub fn device() -> String {
         .and_then(|l| l.split_once(':'));
     let name = model.map_or("processor not named by the system", |(_, name)| name.trim());
     format!("{name} ({})", std::env::consts::ARCH)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::names::methods_of;
+    use reference::registry::Precision::{F32, F64};
+
+    fn baseline_of(function: &str, precision: Precision, slice: bool) -> String {
+        let methods: Vec<&Method> = methods_of(function).collect();
+        let is_it = |m: &&&Method| m.method == "accurate" && m.precision == precision && m.call.is_slice() == slice;
+        let method = methods.iter().find(is_it).expect("registered");
+        baseline_name(method, baseline(&methods, method).expect("some method"))
+    }
+
+    #[test]
+    fn a_slice_form_refers_to_the_published_slices_or_to_its_own_scalar_form_and_never_to_itself() {
+        assert_eq!(baseline_of("sine_integral", F64, true), "cephes");
+        assert_eq!(baseline_of("sine_integral", F32, true), "vwh18");
+        assert_eq!(baseline_of("spatial_phase", F32, true), "accurate, scalar");
+        assert_eq!(baseline_of("profile_rectangle", F32, false), "accurate");
+        assert_eq!(baseline_of("profile_rectangle", F64, false), "as_printed");
+    }
 }

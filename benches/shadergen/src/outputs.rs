@@ -7,7 +7,7 @@ use crate::module::{Translation, translate};
 
 /// Kernel files below `src/shader`, each after those it calls. `gpu.rs` is the Rust side of WGSL's built-ins and
 /// is not translated.
-pub const SOURCES: [&str; 9] = [
+pub const SOURCES: [&str; 18] = [
     "coefficients.rs",
     "elementary.rs",
     "sine_integral.rs",
@@ -17,6 +17,15 @@ pub const SOURCES: [&str; 9] = [
     "faddeeva_coefficients.rs",
     "faddeeva.rs",
     "erf_difference.rs",
+    "turns.rs",
+    "profile.rs",
+    "spatial_phase.rs",
+    "reflectance.rs",
+    "interference.rs",
+    "footprint_coefficients.rs",
+    "footprint.rs",
+    "inverse.rs",
+    "sampling.rs",
 ];
 
 /// A generated file.

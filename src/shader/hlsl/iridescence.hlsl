@@ -35,6 +35,35 @@ struct PowerOfE {
     float first;
     float second;
 };
+
+struct Turns {
+    float whole;
+    float rest;
+};
+
+struct TriangleFlanks {
+    float sinc_a;
+    float sinc_b;
+    SineCosine a;
+    SineCosine b;
+    float deep;
+    float across;
+};
+
+struct FootprintWindow {
+    float near;
+    float far;
+    float start;
+    float span;
+    float share;
+};
+
+struct SampledDirection {
+    float x;
+    float y;
+    float z;
+    float pdf;
+};
 static const float SINE_A = -0.16666657;
 static const float SINE_B = 0.008333015;
 static const float SINE_C = -0.00019806474;
@@ -58,6 +87,13 @@ static const float EXPONENTIAL_B = 0.16666518;
 static const float EXPONENTIAL_C = 0.041666202;
 static const float EXPONENTIAL_D = 0.00836896;
 static const float EXPONENTIAL_E = 0.0013950627;
+static const float ARCTANGENT_A = 0.33332753;
+static const float ARCTANGENT_B = -0.199718;
+static const float ARCTANGENT_C = 0.13823614;
+static const float ARCTANGENT_D = -0.07899901;
+static const float ARTANH_A = 0.6666682;
+static const float ARTANH_B = 0.39973545;
+static const float ARTANH_C = 0.29962823;
 static const float SI_BORDER = 3.0;
 static const float SI_HEAD_A = -0.055555556;
 static const float SI_HEAD_B = 0.001666666;
@@ -395,6 +431,76 @@ static const float ERF_END_LARGEST = 12.0;
 static const float ERF_SHORT = 0.5;
 static const float ERF_SHORT_SQUARE = 0.0625;
 static const float TWO_INVERSE_ROOT_PI = 1.1283792;
+static const float SINC_TURNS_LIMIT = 1e-5;
+static const float TRIANGLE_SHALLOW_LIMIT = 0.13926058;
+static const float INVERSE_ROOT_TWO = 0.70710677;
+static const float ROOT_TWO_TIMES_PI = 4.442883;
+static const float INVERSE_ROOT_TWO_PI = 0.3989423;
+static const float ROOT_HALF_PI = 1.2533141;
+static const float ROOT_TWO_PI = 2.5066283;
+static const float FOOTPRINT_NODE_A = 0.0019026509;
+static const float FOOTPRINT_NODE_SINE_A = 0.087155744;
+static const float FOOTPRINT_NODE_B = 0.017037086;
+static const float FOOTPRINT_NODE_SINE_B = 0.25881904;
+static const float FOOTPRINT_NODE_C = 0.046846107;
+static const float FOOTPRINT_NODE_SINE_C = 0.42261827;
+static const float FOOTPRINT_NODE_D = 0.09042398;
+static const float FOOTPRINT_NODE_SINE_D = 0.57357645;
+static const float FOOTPRINT_NODE_E = 0.14644662;
+static const float FOOTPRINT_NODE_SINE_E = 0.70710677;
+static const float FOOTPRINT_NODE_F = 0.21321177;
+static const float FOOTPRINT_NODE_SINE_F = 0.81915206;
+static const float FOOTPRINT_NODE_G = 0.28869087;
+static const float FOOTPRINT_NODE_SINE_G = 0.9063078;
+static const float FOOTPRINT_NODE_H = 0.37059048;
+static const float FOOTPRINT_NODE_SINE_H = 0.9659258;
+static const float FOOTPRINT_NODE_I = 0.45642212;
+static const float FOOTPRINT_NODE_SINE_I = 0.9961947;
+static const float HALVING_A = 0.6931472;
+static const float HALVING_B = 0.2402235;
+static const float HALVING_C = 0.05550381;
+static const float HALVING_D = 0.009666368;
+static const float HALVING_E = 0.0013381302;
+static const float FOOTPRINT_NARROW_A = 0.13825849;
+static const float FOOTPRINT_NARROW_B = -0.25333163;
+static const float FOOTPRINT_NARROW_C = -0.00026723035;
+static const float FOOTPRINT_NARROW_D = 0.01970528;
+static const float FOOTPRINT_NARROW_E = -0.0026913143;
+static const float FOOTPRINT_NARROW_F = 0.00012525705;
+static const float FOOTPRINT_NARROW_G = 0.26582924;
+static const float FOOTPRINT_NARROW_H = -1.1349578;
+static const float FOOTPRINT_NARROW_I = 0.7839661;
+static const float FOOTPRINT_NARROW_J = -0.20106;
+static const float FOOTPRINT_NARROW_K = 0.022316214;
+static const float FOOTPRINT_NARROW_L = -0.00094284577;
+static const float FOOTPRINT_NARROW_M = -0.18790737;
+static const float FOOTPRINT_NARROW_N = 1.1706403;
+static const float FOOTPRINT_NARROW_O = -1.039597;
+static const float FOOTPRINT_NARROW_P = 0.30889568;
+static const float FOOTPRINT_NARROW_Q = -0.03554422;
+static const float FOOTPRINT_NARROW_R = 0.0015310182;
+static const float FOOTPRINT_EDGE_A = 0.94492203;
+static const float FOOTPRINT_EDGE_B = -1.4870366;
+static const float FOOTPRINT_EDGE_C = 0.60066104;
+static const float FOOTPRINT_EDGE_D = -0.10374308;
+static const float FOOTPRINT_EDGE_E = -0.004889445;
+static const float FOOTPRINT_EDGE_F = 0.00267118;
+static const float FOOTPRINT_EDGE_SLOPE_A = 0.36916718;
+static const float FOOTPRINT_EDGE_SLOPE_B = -0.24061514;
+static const float FOOTPRINT_EDGE_SLOPE_C = 0.049636792;
+static const float FOOTPRINT_LEAST_LIMIT = 0.00048828125;
+static const float FOOTPRINT_MOST_LIMIT = 1e18;
+static const float FOOTPRINT_REACH = 3.95;
+static const float FOOTPRINT_SHARE = 0.055555556;
+static const float FOOTPRINT_BINARY = 1.2011224;
+static const float FOOTPRINT_WIDE_LIMIT = 3.0;
+static const float FOOTPRINT_INTERIOR_LIMIT = 2.5;
+static const float FOOTPRINT_OUTSIDE_LIMIT = -3.0;
+static const float QUARTER_PI = 0.7853982;
+static const float TANGENT_SPLIT = 0.41421357;
+static const float SHARE_SMALLEST_LIMIT = 2.9802322e-8;
+static const float LOBE_NARROW_LIMIT = 1e-6;
+static const float LOBE_UNIFORM_LIMIT = 1e-7;
 
 // Returns the value of an odd function at x from its `value` at |x|, the sign of a zero included.
 float odd_continuation(float x, float value)
@@ -433,30 +539,30 @@ SineCosine ConstructSineCosine(float arg0, float arg1) {
 // relative accuracy.
 SineCosine sine_cosine_near(float r)
 {
-    float u = (r * r);
-    float s_1 = (SINE_A + (u * (SINE_B + (u * (SINE_C + (u * SINE_D))))));
-    float c = (COSINE_A + (u * (COSINE_B + (u * (COSINE_C + (u * COSINE_D))))));
-    const SineCosine sinecosine = ConstructSineCosine((r + (r * (u * s_1))), (1.0 - (u * (0.5 - (u * c)))));
+    float u_2 = (r * r);
+    float s_2 = (SINE_A + (u_2 * (SINE_B + (u_2 * (SINE_C + (u_2 * SINE_D))))));
+    float c_4 = (COSINE_A + (u_2 * (COSINE_B + (u_2 * (COSINE_C + (u_2 * COSINE_D))))));
+    const SineCosine sinecosine = ConstructSineCosine((r + (r * (u_2 * s_2))), (1.0 - (u_2 * (0.5 - (u_2 * c_4)))));
     return sinecosine;
 }
 
 // Returns the sine and cosine of r for r within a quarter turn of 0, to 5e-6.
 SineCosine sine_cosine_near_medium(float r_1)
 {
-    float u_1 = (r_1 * r_1);
-    float s_2 = (SINE_MEDIUM_A + (u_1 * (SINE_MEDIUM_B + (u_1 * SINE_MEDIUM_C))));
-    float c_1 = (COSINE_MEDIUM_A + (u_1 * (COSINE_MEDIUM_B + (u_1 * COSINE_MEDIUM_C))));
-    const SineCosine sinecosine_1 = ConstructSineCosine((r_1 + (r_1 * (u_1 * s_2))), (1.0 - (u_1 * (0.5 - (u_1 * c_1)))));
+    float u_3 = (r_1 * r_1);
+    float s_3 = (SINE_MEDIUM_A + (u_3 * (SINE_MEDIUM_B + (u_3 * SINE_MEDIUM_C))));
+    float c_5 = (COSINE_MEDIUM_A + (u_3 * (COSINE_MEDIUM_B + (u_3 * COSINE_MEDIUM_C))));
+    const SineCosine sinecosine_1 = ConstructSineCosine((r_1 + (r_1 * (u_3 * s_3))), (1.0 - (u_3 * (0.5 - (u_3 * c_5)))));
     return sinecosine_1;
 }
 
 // Returns the sine and cosine of r for r within a quarter turn of 0, to 6e-4.
 SineCosine sine_cosine_near_coarse(float r_2)
 {
-    float u_2 = (r_2 * r_2);
-    float s_3 = (SINE_COARSE_A + (u_2 * SINE_COARSE_B));
-    float c_2 = (COSINE_COARSE_A + (u_2 * COSINE_COARSE_B));
-    const SineCosine sinecosine_2 = ConstructSineCosine((r_2 + (r_2 * (u_2 * s_3))), (1.0 - (u_2 * (0.5 - (u_2 * c_2)))));
+    float u_4 = (r_2 * r_2);
+    float s_4 = (SINE_COARSE_A + (u_4 * SINE_COARSE_B));
+    float c_6 = (COSINE_COARSE_A + (u_4 * COSINE_COARSE_B));
+    const SineCosine sinecosine_2 = ConstructSineCosine((r_2 + (r_2 * (u_4 * s_4))), (1.0 - (u_4 * (0.5 - (u_4 * c_6)))));
     return sinecosine_2;
 }
 
@@ -494,12 +600,12 @@ float exponential(float x_3)
     float bounded = min(max(x_3, -104.0), 88.7);
     float n_1 = round((bounded * LOG_TWO_E));
     float r_3 = ((bounded - (n_1 * LN_TWO_HIGH)) - (n_1 * LN_TWO_LOW));
-    float e = (EXPONENTIAL_A + (r_3 * (EXPONENTIAL_B + (r_3 * (EXPONENTIAL_C + (r_3 * (EXPONENTIAL_D + (r_3 * EXPONENTIAL_E))))))));
-    float value_1 = (1.0 + (r_3 * (1.0 + (r_3 * e))));
+    float e_1 = (EXPONENTIAL_A + (r_3 * (EXPONENTIAL_B + (r_3 * (EXPONENTIAL_C + (r_3 * (EXPONENTIAL_D + (r_3 * EXPONENTIAL_E))))))));
+    float value_1 = (1.0 + (r_3 * (1.0 + (r_3 * e_1))));
     float halved_2 = round((n_1 * 0.5));
-    float first_6 = asfloat((asuint((halved_2 + EXPONENT_BIAS)) << 23u));
-    float second = asfloat((asuint(((n_1 - halved_2) + EXPONENT_BIAS)) << 23u));
-    return ((value_1 * first_6) * second);
+    float first_9 = asfloat((asuint((halved_2 + EXPONENT_BIAS)) << 23u));
+    float second_3 = asfloat((asuint(((n_1 - halved_2) + EXPONENT_BIAS)) << 23u));
+    return ((value_1 * first_9) * second_3);
 }
 
 // Returns Si(x), the integral of sin t / t from 0 to x (radians), to f32 grade.
@@ -507,21 +613,21 @@ float exponential(float x_3)
 // Any x; odd. VWH18 Eq. 28.
 float sine_integral(float x_4)
 {
-    float y_5 = abs(x_4);
-    float u_3 = (y_5 * y_5);
-    float q_8 = (SI_HEAD_A + (u_3 * (SI_HEAD_B + (u_3 * (SI_HEAD_C + (u_3 * (SI_HEAD_D + (u_3 * (SI_HEAD_E + (u_3 * SI_HEAD_F))))))))));
-    float head = (y_5 + (y_5 * (u_3 * q_8)));
-    float bounded_1 = min(y_5, PHASE_LIMIT);
+    float y_6 = abs(x_4);
+    float u_5 = (y_6 * y_6);
+    float q_8 = (SI_HEAD_A + (u_5 * (SI_HEAD_B + (u_5 * (SI_HEAD_C + (u_5 * (SI_HEAD_D + (u_5 * (SI_HEAD_E + (u_5 * SI_HEAD_F))))))))));
+    float head = (y_6 + (y_6 * (u_5 * q_8)));
+    float bounded_1 = min(y_6, PHASE_LIMIT);
     const HalfTurns _e24 = reduce_half_turns(bounded_1);
     const SineCosine _e26 = sine_cosine_near(_e24.rest);
-    float s_4 = min(u_3, SQUARE_LIMIT);
-    float n_2 = ((s_4 * ((s_4 * ((s_4 * (s_4 + SI_F_A)) + SI_F_B)) + SI_F_C)) + SI_F_D);
-    float d = ((s_4 * ((s_4 * ((s_4 * (s_4 + SI_D_A)) + SI_D_B)) + SI_D_C)) + SI_D_D);
-    float m_1 = ((s_4 * ((s_4 * (s_4 + SI_G_A)) + SI_G_B)) + SI_G_C);
-    float wave = (((_e26.cosine * n_2) + ((_e26.sine * bounded_1) * m_1)) / (bounded_1 * d));
+    float s_5 = min(u_5, SQUARE_LIMIT);
+    float n_2 = ((s_5 * ((s_5 * ((s_5 * (s_5 + SI_F_A)) + SI_F_B)) + SI_F_C)) + SI_F_D);
+    float d_1 = ((s_5 * ((s_5 * ((s_5 * (s_5 + SI_D_A)) + SI_D_B)) + SI_D_C)) + SI_D_D);
+    float m_1 = ((s_5 * ((s_5 * (s_5 + SI_G_A)) + SI_G_B)) + SI_G_C);
+    float wave = (((_e26.cosine * n_2) + ((_e26.sine * bounded_1) * m_1)) / (bounded_1 * d_1));
     float tail = (HALF_PI - (_e24.parity * wave));
-    float value_2 = ((y_5 < SI_BORDER) ? head : tail);
-    float finite = ((y_5 >= PHASE_LIMIT) ? HALF_PI : value_2);
+    float value_2 = ((y_6 < SI_BORDER) ? head : tail);
+    float finite = ((y_6 >= PHASE_LIMIT) ? HALF_PI : value_2);
     const float _e78 = odd_continuation(x_4, finite);
     return _e78;
 }
@@ -529,20 +635,20 @@ float sine_integral(float x_4)
 // Returns Si(x) to 1e-5 absolute. Any x; odd. VWH18 Eq. 28.
 float sine_integral_medium(float x_5)
 {
-    float y_6 = abs(x_5);
-    float u_4 = (y_6 * y_6);
-    float q_9 = (SI_MEDIUM_HEAD_A + (u_4 * (SI_MEDIUM_HEAD_B + (u_4 * (SI_MEDIUM_HEAD_C + (u_4 * (SI_MEDIUM_HEAD_D + (u_4 * SI_MEDIUM_HEAD_E))))))));
-    float head_1 = (y_6 + (y_6 * (u_4 * q_9)));
-    float bounded_2 = min(y_6, PHASE_LIMIT);
+    float y_7 = abs(x_5);
+    float u_6 = (y_7 * y_7);
+    float q_9 = (SI_MEDIUM_HEAD_A + (u_6 * (SI_MEDIUM_HEAD_B + (u_6 * (SI_MEDIUM_HEAD_C + (u_6 * (SI_MEDIUM_HEAD_D + (u_6 * SI_MEDIUM_HEAD_E))))))));
+    float head_1 = (y_7 + (y_7 * (u_6 * q_9)));
+    float bounded_2 = min(y_7, PHASE_LIMIT);
     const HalfTurns _e21 = reduce_half_turns(bounded_2);
     const SineCosine _e23 = sine_cosine_near_medium(_e21.rest);
-    float s_5 = min(u_4, SQUARE_LIMIT);
-    float n_3 = ((s_5 * (s_5 + SI_MEDIUM_F_A)) + SI_MEDIUM_F_B);
-    float d_1 = ((s_5 * (s_5 + SI_MEDIUM_D_A)) + SI_MEDIUM_D_B);
-    float m_2 = (s_5 + SI_MEDIUM_G_A);
-    float wave_1 = (((_e23.cosine * n_3) + ((_e23.sine * bounded_2) * m_2)) / (bounded_2 * d_1));
+    float s_6 = min(u_6, SQUARE_LIMIT);
+    float n_3 = ((s_6 * (s_6 + SI_MEDIUM_F_A)) + SI_MEDIUM_F_B);
+    float d_2 = ((s_6 * (s_6 + SI_MEDIUM_D_A)) + SI_MEDIUM_D_B);
+    float m_2 = (s_6 + SI_MEDIUM_G_A);
+    float wave_1 = (((_e23.cosine * n_3) + ((_e23.sine * bounded_2) * m_2)) / (bounded_2 * d_2));
     float tail_1 = (HALF_PI - (_e21.parity * wave_1));
-    float value_3 = ((y_6 < SI_MEDIUM_BORDER) ? head_1 : tail_1);
+    float value_3 = ((y_7 < SI_MEDIUM_BORDER) ? head_1 : tail_1);
     const float _e53 = odd_continuation(x_5, value_3);
     return _e53;
 }
@@ -550,17 +656,17 @@ float sine_integral_medium(float x_5)
 // Returns Si(x) to 4e-4 absolute. Any x; odd. VWH18 Eq. 28.
 float sine_integral_coarse(float x_6)
 {
-    float y_7 = abs(x_6);
-    float u_5 = (y_7 * y_7);
-    float q_10 = (SI_COARSE_HEAD_A + (u_5 * (SI_COARSE_HEAD_B + (u_5 * (SI_COARSE_HEAD_C + (u_5 * SI_COARSE_HEAD_D))))));
-    float head_2 = (y_7 + (y_7 * (u_5 * q_10)));
-    float bounded_3 = min(y_7, PHASE_LIMIT);
+    float y_8 = abs(x_6);
+    float u_7 = (y_8 * y_8);
+    float q_10 = (SI_COARSE_HEAD_A + (u_7 * (SI_COARSE_HEAD_B + (u_7 * (SI_COARSE_HEAD_C + (u_7 * SI_COARSE_HEAD_D))))));
+    float head_2 = (y_8 + (y_8 * (u_7 * q_10)));
+    float bounded_3 = min(y_8, PHASE_LIMIT);
     const HalfTurns _e18 = reduce_half_turns(bounded_3);
     const SineCosine _e20 = sine_cosine_near_coarse(_e18.rest);
-    float s_6 = min(u_5, SQUARE_LIMIT);
-    float wave_2 = (((_e20.cosine * (s_6 + SI_COARSE_F_A)) + (_e20.sine * bounded_3)) / (bounded_3 * (s_6 + SI_COARSE_D_A)));
+    float s_7 = min(u_7, SQUARE_LIMIT);
+    float wave_2 = (((_e20.cosine * (s_7 + SI_COARSE_F_A)) + (_e20.sine * bounded_3)) / (bounded_3 * (s_7 + SI_COARSE_D_A)));
     float tail_2 = (HALF_PI - (_e18.parity * wave_2));
-    float value_4 = ((y_7 < SI_COARSE_BORDER) ? head_2 : tail_2);
+    float value_4 = ((y_8 < SI_COARSE_BORDER) ? head_2 : tail_2);
     const float _e41 = odd_continuation(x_6, value_4);
     return _e41;
 }
@@ -570,12 +676,12 @@ float sine_integral_coarse(float x_6)
 // Kept to compare with: its differences have the wrong sign over a quarter of the axis.
 float sine_integral_velinov(float x_7)
 {
-    float y_8 = abs(x_7);
-    const SineCosine _e4 = sine_cosine(min(y_8, PHASE_LIMIT));
-    const float _e11 = exponential((2.0 * min(y_8, 20.0)));
+    float y_9 = abs(x_7);
+    const SineCosine _e4 = sine_cosine(min(y_9, PHASE_LIMIT));
+    const float _e11 = exponential((2.0 * min(y_9, 20.0)));
     float sigmoid = (1.0 - (2.0 / (_e11 + 1.0)));
-    float offset = (y_8 - VELINOV_OFFSET);
-    float value_5 = (((HALF_PI * sigmoid) - ((VELINOV_BUMP * y_8) / (1.0 + (offset * offset)))) + ((1.0 - _e4.cosine) / (1.0 + y_8)));
+    float offset_5 = (y_9 - VELINOV_OFFSET);
+    float value_5 = (((HALF_PI * sigmoid) - ((VELINOV_BUMP * y_9) / (1.0 + (offset_5 * offset_5)))) + ((1.0 - _e4.cosine) / (1.0 + y_9)));
     const float _e34 = odd_continuation(x_7, value_5);
     return _e34;
 }
@@ -593,16 +699,16 @@ ArcEnds arc_ends(float first, float last)
 {
     bool local = (bool)0;
 
-    float a_2 = abs(first);
-    float b_4 = abs(last);
-    bool swap = (b_4 < a_2);
+    float a_7 = abs(first);
+    float b_9 = abs(last);
+    bool swap = (b_9 < a_7);
     if ((min(first, last) < 0.0)) {
         local = (max(first, last) > 0.0);
     } else {
         local = false;
     }
     bool _e16 = local;
-    const ArcEnds arcends = ConstructArcEnds((swap ? b_4 : a_2), (swap ? a_2 : b_4), _e16);
+    const ArcEnds arcends = ConstructArcEnds((swap ? b_9 : a_7), (swap ? a_7 : b_9), _e16);
     return arcends;
 }
 
@@ -655,9 +761,9 @@ float arc_join(ArcEnds ends, float extent, float border, float near_line, float 
 // Returns H(2q) for q below the border, to f32 grade.
 float arc_head(float q)
 {
-    float u_6 = (q * q);
-    float p = (ARC_HEAD_A + (u_6 * (ARC_HEAD_B + (u_6 * (ARC_HEAD_C + (u_6 * (ARC_HEAD_D + (u_6 * (ARC_HEAD_E + (u_6 * ARC_HEAD_F))))))))));
-    return (q + (q * (u_6 * p)));
+    float u_8 = (q * q);
+    float p = (ARC_HEAD_A + (u_8 * (ARC_HEAD_B + (u_8 * (ARC_HEAD_C + (u_8 * (ARC_HEAD_D + (u_8 * (ARC_HEAD_E + (u_8 * ARC_HEAD_F))))))))));
+    return (q + (q * (u_8 * p)));
 }
 
 // Returns pi/2 - H(2q) - 1/(2q) for q above the border, from the phase of q reduced by half turns,
@@ -665,14 +771,14 @@ float arc_head(float q)
 float arc_wave(float q_1, SineCosine phase)
 {
     float v_4 = (0.5 / q_1);
-    float w = (v_4 * v_4);
-    float k = (w * (ARC_K_A + (w * (ARC_K_B + (w * (ARC_K_C + (w * (ARC_K_D + (w * ARC_K_E)))))))));
-    float d_2 = (1.0 + (w * (ARC_D_A + (w * (ARC_D_B + (w * (ARC_D_C + (w * (ARC_D_D + (w * ARC_D_E))))))))));
-    float m_3 = (1.0 + (w * (ARC_G_A + (w * (ARC_G_B + (w * (ARC_G_C + (w * ARC_G_D))))))));
+    float w_1 = (v_4 * v_4);
+    float k = (w_1 * (ARC_K_A + (w_1 * (ARC_K_B + (w_1 * (ARC_K_C + (w_1 * (ARC_K_D + (w_1 * ARC_K_E)))))))));
+    float d_3 = (1.0 + (w_1 * (ARC_D_A + (w_1 * (ARC_D_B + (w_1 * (ARC_D_C + (w_1 * (ARC_D_D + (w_1 * ARC_D_E))))))))));
+    float m_3 = (1.0 + (w_1 * (ARC_G_A + (w_1 * (ARC_G_B + (w_1 * (ARC_G_C + (w_1 * ARC_G_D))))))));
     float twice = (phase.sine + phase.sine);
     float double_sine = (twice * phase.cosine);
     float double_cosine = (1.0 - (twice * phase.sine));
-    return (((double_sine * (w * m_3)) - (double_cosine * (v_4 * k))) / d_2);
+    return (((double_sine * (w_1 * m_3)) - (double_cosine * (v_4 * k))) / d_3);
 }
 
 // Returns the Gauss sum over a short arc that begins at q with the phase `rest`, to f32 grade.
@@ -761,23 +867,23 @@ float sinc_squared_integral_turns(float width, float first_2, float last_2)
 // Returns H(2q) for q below the border, to 1e-8.
 float arc_head_medium(float q_3)
 {
-    float u_7 = (q_3 * q_3);
-    float p_1 = (ARC_MEDIUM_HEAD_A + (u_7 * (ARC_MEDIUM_HEAD_B + (u_7 * (ARC_MEDIUM_HEAD_C + (u_7 * (ARC_MEDIUM_HEAD_D + (u_7 * ARC_MEDIUM_HEAD_E))))))));
-    return (q_3 + (q_3 * (u_7 * p_1)));
+    float u_9 = (q_3 * q_3);
+    float p_1 = (ARC_MEDIUM_HEAD_A + (u_9 * (ARC_MEDIUM_HEAD_B + (u_9 * (ARC_MEDIUM_HEAD_C + (u_9 * (ARC_MEDIUM_HEAD_D + (u_9 * ARC_MEDIUM_HEAD_E))))))));
+    return (q_3 + (q_3 * (u_9 * p_1)));
 }
 
 // Returns pi/2 - H(2q) - 1/(2q) for q above the border, to about 1e-6 of 1/(2q).
 float arc_wave_medium(float q_4, SineCosine phase_1)
 {
     float v_5 = (0.5 / q_4);
-    float w_1 = (v_5 * v_5);
-    float k_1 = (w_1 * (ARC_MEDIUM_K_A + (w_1 * (ARC_MEDIUM_K_B + (w_1 * (ARC_MEDIUM_K_C + (w_1 * ARC_MEDIUM_K_D)))))));
-    float d_3 = (1.0 + (w_1 * (ARC_MEDIUM_D_A + (w_1 * (ARC_MEDIUM_D_B + (w_1 * (ARC_MEDIUM_D_C + (w_1 * ARC_MEDIUM_D_D))))))));
-    float m_5 = (1.0 + (w_1 * (ARC_MEDIUM_G_A + (w_1 * (ARC_MEDIUM_G_B + (w_1 * ARC_MEDIUM_G_C))))));
+    float w_2 = (v_5 * v_5);
+    float k_1 = (w_2 * (ARC_MEDIUM_K_A + (w_2 * (ARC_MEDIUM_K_B + (w_2 * (ARC_MEDIUM_K_C + (w_2 * ARC_MEDIUM_K_D)))))));
+    float d_4 = (1.0 + (w_2 * (ARC_MEDIUM_D_A + (w_2 * (ARC_MEDIUM_D_B + (w_2 * (ARC_MEDIUM_D_C + (w_2 * ARC_MEDIUM_D_D))))))));
+    float m_5 = (1.0 + (w_2 * (ARC_MEDIUM_G_A + (w_2 * (ARC_MEDIUM_G_B + (w_2 * ARC_MEDIUM_G_C))))));
     float twice_1 = (phase_1.sine + phase_1.sine);
     float double_sine_1 = (twice_1 * phase_1.cosine);
     float double_cosine_1 = (1.0 - (twice_1 * phase_1.sine));
-    return (((double_sine_1 * (w_1 * m_5)) - (double_cosine_1 * (v_5 * k_1))) / d_3);
+    return (((double_sine_1 * (w_2 * m_5)) - (double_cosine_1 * (v_5 * k_1))) / d_4);
 }
 
 // Returns the arc of [`sinc_squared_integral`] to 5e-6 absolute.
@@ -812,23 +918,23 @@ float sinc_squared_integral_medium(float first_3, float last_3)
 // Returns H(2q) for q below the border, to 6e-6.
 float arc_head_coarse(float q_5)
 {
-    float u_8 = (q_5 * q_5);
-    float p_2 = (ARC_COARSE_HEAD_A + (u_8 * (ARC_COARSE_HEAD_B + (u_8 * (ARC_COARSE_HEAD_C + (u_8 * ARC_COARSE_HEAD_D))))));
-    return (q_5 + (q_5 * (u_8 * p_2)));
+    float u_10 = (q_5 * q_5);
+    float p_2 = (ARC_COARSE_HEAD_A + (u_10 * (ARC_COARSE_HEAD_B + (u_10 * (ARC_COARSE_HEAD_C + (u_10 * ARC_COARSE_HEAD_D))))));
+    return (q_5 + (q_5 * (u_10 * p_2)));
 }
 
 // Returns pi/2 - H(2q) - 1/(2q) for q above the border, to about 3e-4 of 1/(2q).
 float arc_wave_coarse(float q_6, SineCosine phase_2)
 {
     float v_6 = (0.5 / q_6);
-    float w_2 = (v_6 * v_6);
-    float k_2 = (w_2 * (ARC_COARSE_K_A + (w_2 * (ARC_COARSE_K_B + (w_2 * ARC_COARSE_K_C)))));
-    float d_4 = (1.0 + (w_2 * (ARC_COARSE_D_A + (w_2 * (ARC_COARSE_D_B + (w_2 * ARC_COARSE_D_C))))));
-    float m_7 = (1.0 + (w_2 * (ARC_COARSE_G_A + (w_2 * ARC_COARSE_G_B))));
+    float w_3 = (v_6 * v_6);
+    float k_2 = (w_3 * (ARC_COARSE_K_A + (w_3 * (ARC_COARSE_K_B + (w_3 * ARC_COARSE_K_C)))));
+    float d_5 = (1.0 + (w_3 * (ARC_COARSE_D_A + (w_3 * (ARC_COARSE_D_B + (w_3 * ARC_COARSE_D_C))))));
+    float m_7 = (1.0 + (w_3 * (ARC_COARSE_G_A + (w_3 * ARC_COARSE_G_B))));
     float twice_2 = (phase_2.sine + phase_2.sine);
     float double_sine_2 = (twice_2 * phase_2.cosine);
     float double_cosine_2 = (1.0 - (twice_2 * phase_2.sine));
-    return (((double_sine_2 * (w_2 * m_7)) - (double_cosine_2 * (v_6 * k_2))) / d_4);
+    return (((double_sine_2 * (w_3 * m_7)) - (double_cosine_2 * (v_6 * k_2))) / d_5);
 }
 
 // Returns the arc of [`sinc_squared_integral`] to 4e-4 absolute.
@@ -862,8 +968,8 @@ float sinc_squared_integral_coarse(float first_4, float last_4)
 float arc_antiderivative_velinov(float q_7)
 {
     const SineCosine _e1 = sine_cosine(q_7);
-    float sine = _e1.sine;
-    float square = ((q_7 == 0.0) ? 0.0 : ((sine * sine) / q_7));
+    float sine_2 = _e1.sine;
+    float square = ((q_7 == 0.0) ? 0.0 : ((sine_2 * sine_2) / q_7));
     const float _e10 = sine_integral_velinov((q_7 + q_7));
     return (_e10 - square);
 }
@@ -903,44 +1009,44 @@ BesselPowers bessel_powers(float x_9)
 // Any x; even; 1 at 0, falls as 1/sqrt(2 pi |x|), 0 at infinity.
 float bessel_i0_scaled(float x_10)
 {
-    float y_9 = abs(x_10);
-    float near_y = min(y_9, BESSEL_FOURTH_END);
-    bool second_1 = (near_y >= BESSEL_FIRST_END);
-    bool third = (near_y >= BESSEL_SECOND_END);
+    float y_10 = abs(x_10);
+    float near_y = min(y_10, BESSEL_FOURTH_END);
+    bool second_4 = (near_y >= BESSEL_FIRST_END);
+    bool third_1 = (near_y >= BESSEL_SECOND_END);
     bool fourth = (near_y >= BESSEL_THIRD_END);
-    float centre_low = (second_1 ? BESSEL_SECOND_CENTRE : BESSEL_FIRST_CENTRE);
+    float centre_low = (second_4 ? BESSEL_SECOND_CENTRE : BESSEL_FIRST_CENTRE);
     float centre_high = (fourth ? BESSEL_FOURTH_CENTRE : BESSEL_THIRD_CENTRE);
-    float centre_2 = (third ? centre_high : centre_low);
-    float value_low = (second_1 ? BESSEL_SECOND_VALUE : BESSEL_FIRST_VALUE);
+    float centre_2 = (third_1 ? centre_high : centre_low);
+    float value_low = (second_4 ? BESSEL_SECOND_VALUE : BESSEL_FIRST_VALUE);
     float value_high = (fourth ? BESSEL_FOURTH_VALUE : BESSEL_THIRD_VALUE);
-    float value_7 = (third ? value_high : value_low);
-    float pa_low = (second_1 ? BESSEL_SECOND_A : BESSEL_FIRST_A);
+    float value_7 = (third_1 ? value_high : value_low);
+    float pa_low = (second_4 ? BESSEL_SECOND_A : BESSEL_FIRST_A);
     float pa_high = (fourth ? BESSEL_FOURTH_A : BESSEL_THIRD_A);
-    float pa = (third ? pa_high : pa_low);
-    float pb_low = (second_1 ? BESSEL_SECOND_B : BESSEL_FIRST_B);
+    float pa = (third_1 ? pa_high : pa_low);
+    float pb_low = (second_4 ? BESSEL_SECOND_B : BESSEL_FIRST_B);
     float pb_high = (fourth ? BESSEL_FOURTH_B : BESSEL_THIRD_B);
-    float pb = (third ? pb_high : pb_low);
-    float pc_low = (second_1 ? BESSEL_SECOND_C : BESSEL_FIRST_C);
+    float pb = (third_1 ? pb_high : pb_low);
+    float pc_low = (second_4 ? BESSEL_SECOND_C : BESSEL_FIRST_C);
     float pc_high = (fourth ? BESSEL_FOURTH_C : BESSEL_THIRD_C);
-    float pc = (third ? pc_high : pc_low);
-    float pd_low = (second_1 ? BESSEL_SECOND_D : BESSEL_FIRST_D);
+    float pc = (third_1 ? pc_high : pc_low);
+    float pd_low = (second_4 ? BESSEL_SECOND_D : BESSEL_FIRST_D);
     float pd_high = (fourth ? BESSEL_FOURTH_D : BESSEL_THIRD_D);
-    float pd = (third ? pd_high : pd_low);
-    float pe_low = (second_1 ? BESSEL_SECOND_E : BESSEL_FIRST_E);
+    float pd = (third_1 ? pd_high : pd_low);
+    float pe_low = (second_4 ? BESSEL_SECOND_E : BESSEL_FIRST_E);
     float pe_high = (fourth ? BESSEL_FOURTH_E : BESSEL_THIRD_E);
-    float pe = (third ? pe_high : pe_low);
-    float pf_low = (second_1 ? BESSEL_SECOND_F : BESSEL_FIRST_F);
+    float pe = (third_1 ? pe_high : pe_low);
+    float pf_low = (second_4 ? BESSEL_SECOND_F : BESSEL_FIRST_F);
     float pf_high = (fourth ? BESSEL_FOURTH_F : BESSEL_THIRD_F);
-    float pf = (third ? pf_high : pf_low);
-    float pg_low = (second_1 ? BESSEL_SECOND_G : BESSEL_FIRST_G);
+    float pf = (third_1 ? pf_high : pf_low);
+    float pg_low = (second_4 ? BESSEL_SECOND_G : BESSEL_FIRST_G);
     float pg_high = (fourth ? BESSEL_FOURTH_G : BESSEL_THIRD_G);
-    float pg = (third ? pg_high : pg_low);
+    float pg = (third_1 ? pg_high : pg_low);
     float ph = (fourth ? BESSEL_FOURTH_H : 0.0);
     float pi = (fourth ? BESSEL_FOURTH_I : 0.0);
-    float d_5 = (near_y - centre_2);
-    float upper = (pd + (d_5 * (pe + (d_5 * (pf + (d_5 * (pg + (d_5 * (ph + (d_5 * pi))))))))));
-    float near_1 = (value_7 + (d_5 * (pa + (d_5 * (pb + (d_5 * (pc + (d_5 * upper))))))));
-    const BesselPowers _e100 = bessel_powers(max(y_9, BESSEL_FOURTH_END));
+    float d_6 = (near_y - centre_2);
+    float upper = (pd + (d_6 * (pe + (d_6 * (pf + (d_6 * (pg + (d_6 * (ph + (d_6 * pi))))))))));
+    float near_1 = (value_7 + (d_6 * (pa + (d_6 * (pb + (d_6 * (pc + (d_6 * upper))))))));
+    const BesselPowers _e100 = bessel_powers(max(y_10, BESSEL_FOURTH_END));
     bool odd_1 = ((_e100.exponent & 1u) == 0u);
     float low_root = (odd_1 ? BESSEL_LOW_ODD : BESSEL_LOW_EVEN);
     float high_root = (odd_1 ? BESSEL_HIGH_ODD : BESSEL_HIGH_EVEN);
@@ -952,8 +1058,8 @@ float bessel_i0_scaled(float x_10)
     float q_11 = (t * bend);
     float whole_root = (root + (root * q_11));
     float v_7 = (whole_root * whole_root);
-    bool tail_3 = (y_9 >= BESSEL_OUTER_END);
-    float w_3 = (v_7 - (tail_3 ? 0.0 : BESSEL_OUTER_CENTRE));
+    bool tail_3 = (y_10 >= BESSEL_OUTER_END);
+    float w_4 = (v_7 - (tail_3 ? 0.0 : BESSEL_OUTER_CENTRE));
     float ga = (tail_3 ? 0.0 : BESSEL_OUTER_A);
     float gb = (tail_3 ? BESSEL_TAIL_A : BESSEL_OUTER_B);
     float gc = (tail_3 ? BESSEL_TAIL_B : BESSEL_OUTER_C);
@@ -963,11 +1069,11 @@ float bessel_i0_scaled(float x_10)
     float gg = (tail_3 ? BESSEL_TAIL_F : BESSEL_OUTER_G);
     float gh = (tail_3 ? BESSEL_TAIL_G : BESSEL_OUTER_H);
     float gi = (tail_3 ? BESSEL_TAIL_H : BESSEL_OUTER_I);
-    float upper_growth = (ge + (w_3 * (gf + (w_3 * (gg + (w_3 * (gh + (w_3 * gi))))))));
-    float growth = (ga + (w_3 * (gb + (w_3 * (gc + (w_3 * (gd + (w_3 * upper_growth))))))));
+    float upper_growth = (ge + (w_4 * (gf + (w_4 * (gg + (w_4 * (gh + (w_4 * gi))))))));
+    float growth = (ga + (w_4 * (gb + (w_4 * (gc + (w_4 * (gd + (w_4 * upper_growth))))))));
     float far = (root + (root * (q_11 + (growth + (q_11 * growth)))));
-    float finite_1 = ((y_9 >= BESSEL_FOURTH_END) ? far : near_1);
-    return ((asuint(y_9) == 2139095040u) ? 0.0 : finite_1);
+    float finite_1 = ((y_10 >= BESSEL_FOURTH_END) ? far : near_1);
+    return ((asuint(y_10) == 2139095040u) ? 0.0 : finite_1);
 }
 
 // Returns ln I0(x), to 2 units of the last place.
@@ -975,48 +1081,48 @@ float bessel_i0_scaled(float x_10)
 // Any x; even; x^2/4 near 0, |x| - ln(2 pi |x|)/2 far from it.
 float log_bessel_izero(float x_11)
 {
-    float y_10 = abs(x_11);
-    float bounded_4 = min(y_10, BESSEL_HEAD_END);
-    float u_9 = (bounded_4 * bounded_4);
-    float bend_1 = (BESSEL_LOG_HEAD_A + (u_9 * (BESSEL_LOG_HEAD_B + (u_9 * (BESSEL_LOG_HEAD_C + (u_9 * (BESSEL_LOG_HEAD_D + (u_9 * BESSEL_LOG_HEAD_E))))))));
-    float head_3 = (u_9 * (0.25 + (u_9 * bend_1)));
-    float middle_y = min(y_10, BESSEL_BORDER);
-    bool second_2 = (middle_y >= BESSEL_LOG_FIRST_END);
-    bool third_1 = (middle_y >= BESSEL_LOG_SECOND_END);
-    float centre_low_1 = (second_2 ? BESSEL_LOG_SECOND_CENTRE : BESSEL_LOG_FIRST_CENTRE);
-    float centre_3 = (third_1 ? BESSEL_LOG_THIRD_CENTRE : centre_low_1);
-    float value_low_1 = (second_2 ? BESSEL_LOG_SECOND_VALUE : BESSEL_LOG_FIRST_VALUE);
-    float value_8 = (third_1 ? BESSEL_LOG_THIRD_VALUE : value_low_1);
-    float pa_low_1 = (second_2 ? BESSEL_LOG_SECOND_A : BESSEL_LOG_FIRST_A);
-    float pa_1 = (third_1 ? BESSEL_LOG_THIRD_A : pa_low_1);
-    float pb_low_1 = (second_2 ? BESSEL_LOG_SECOND_B : BESSEL_LOG_FIRST_B);
-    float pb_1 = (third_1 ? BESSEL_LOG_THIRD_B : pb_low_1);
-    float pc_low_1 = (second_2 ? BESSEL_LOG_SECOND_C : BESSEL_LOG_FIRST_C);
-    float pc_1 = (third_1 ? BESSEL_LOG_THIRD_C : pc_low_1);
-    float pd_low_1 = (second_2 ? BESSEL_LOG_SECOND_D : BESSEL_LOG_FIRST_D);
-    float pd_1 = (third_1 ? BESSEL_LOG_THIRD_D : pd_low_1);
-    float pe_low_1 = (second_2 ? BESSEL_LOG_SECOND_E : BESSEL_LOG_FIRST_E);
-    float pe_1 = (third_1 ? BESSEL_LOG_THIRD_E : pe_low_1);
-    float pf_low_1 = (second_2 ? BESSEL_LOG_SECOND_F : BESSEL_LOG_FIRST_F);
-    float pf_1 = (third_1 ? BESSEL_LOG_THIRD_F : pf_low_1);
-    float pg_high_1 = (third_1 ? BESSEL_LOG_THIRD_G : BESSEL_LOG_SECOND_G);
-    float pg_1 = (second_2 ? pg_high_1 : 0.0);
-    float d_6 = (middle_y - centre_3);
-    float upper_1 = (pd_1 + (d_6 * (pe_1 + (d_6 * (pf_1 + (d_6 * pg_1))))));
-    float middle_2 = (value_8 + (d_6 * (pa_1 + (d_6 * (pb_1 + (d_6 * (pc_1 + (d_6 * upper_1))))))));
-    const BesselPowers _e90 = bessel_powers(max(y_10, BESSEL_BORDER));
+    float y_11 = abs(x_11);
+    float bounded_4 = min(y_11, BESSEL_HEAD_END);
+    float u_11 = (bounded_4 * bounded_4);
+    float bend_1 = (BESSEL_LOG_HEAD_A + (u_11 * (BESSEL_LOG_HEAD_B + (u_11 * (BESSEL_LOG_HEAD_C + (u_11 * (BESSEL_LOG_HEAD_D + (u_11 * BESSEL_LOG_HEAD_E))))))));
+    float head_3 = (u_11 * (0.25 + (u_11 * bend_1)));
+    float middle_y = min(y_11, BESSEL_BORDER);
+    bool second_5 = (middle_y >= BESSEL_LOG_FIRST_END);
+    bool third_2 = (middle_y >= BESSEL_LOG_SECOND_END);
+    float centre_low_1 = (second_5 ? BESSEL_LOG_SECOND_CENTRE : BESSEL_LOG_FIRST_CENTRE);
+    float centre_3 = (third_2 ? BESSEL_LOG_THIRD_CENTRE : centre_low_1);
+    float value_low_1 = (second_5 ? BESSEL_LOG_SECOND_VALUE : BESSEL_LOG_FIRST_VALUE);
+    float value_8 = (third_2 ? BESSEL_LOG_THIRD_VALUE : value_low_1);
+    float pa_low_1 = (second_5 ? BESSEL_LOG_SECOND_A : BESSEL_LOG_FIRST_A);
+    float pa_1 = (third_2 ? BESSEL_LOG_THIRD_A : pa_low_1);
+    float pb_low_1 = (second_5 ? BESSEL_LOG_SECOND_B : BESSEL_LOG_FIRST_B);
+    float pb_1 = (third_2 ? BESSEL_LOG_THIRD_B : pb_low_1);
+    float pc_low_1 = (second_5 ? BESSEL_LOG_SECOND_C : BESSEL_LOG_FIRST_C);
+    float pc_1 = (third_2 ? BESSEL_LOG_THIRD_C : pc_low_1);
+    float pd_low_1 = (second_5 ? BESSEL_LOG_SECOND_D : BESSEL_LOG_FIRST_D);
+    float pd_1 = (third_2 ? BESSEL_LOG_THIRD_D : pd_low_1);
+    float pe_low_1 = (second_5 ? BESSEL_LOG_SECOND_E : BESSEL_LOG_FIRST_E);
+    float pe_1 = (third_2 ? BESSEL_LOG_THIRD_E : pe_low_1);
+    float pf_low_1 = (second_5 ? BESSEL_LOG_SECOND_F : BESSEL_LOG_FIRST_F);
+    float pf_1 = (third_2 ? BESSEL_LOG_THIRD_F : pf_low_1);
+    float pg_high_1 = (third_2 ? BESSEL_LOG_THIRD_G : BESSEL_LOG_SECOND_G);
+    float pg_1 = (second_5 ? pg_high_1 : 0.0);
+    float d_7 = (middle_y - centre_3);
+    float upper_1 = (pd_1 + (d_7 * (pe_1 + (d_7 * (pf_1 + (d_7 * pg_1))))));
+    float middle_2 = (value_8 + (d_7 * (pa_1 + (d_7 * (pb_1 + (d_7 * (pc_1 + (d_7 * upper_1))))))));
+    const BesselPowers _e90 = bessel_powers(max(y_11, BESSEL_BORDER));
     float t_1 = _e90.rest;
     float upper_log = (BESSEL_LN_E + (t_1 * (BESSEL_LN_F + (t_1 * BESSEL_LN_G))));
     float logarithm = (t_1 * (BESSEL_LN_A + (t_1 * (BESSEL_LN_B + (t_1 * (BESSEL_LN_C + (t_1 * (BESSEL_LN_D + (t_1 * upper_log)))))))));
-    float v_8 = (1.0 / max(y_10, BESSEL_BORDER));
+    float v_8 = (1.0 / max(y_11, BESSEL_BORDER));
     float upper_growth_1 = (BESSEL_LOG_TAIL_E + (v_8 * (BESSEL_LOG_TAIL_F + (v_8 * (BESSEL_LOG_TAIL_G + (v_8 * BESSEL_LOG_TAIL_H))))));
     float lower_growth = (BESSEL_LOG_TAIL_B + (v_8 * (BESSEL_LOG_TAIL_C + (v_8 * (BESSEL_LOG_TAIL_D + (v_8 * upper_growth_1))))));
     float growth_1 = (v_8 * (BESSEL_LOG_TAIL_A + (v_8 * lower_growth)));
     float constant = (_e90.high ? BESSEL_HIGH_LOG : BESSEL_LOW_LOG);
     float exponent = float((_e90.exponent - 127u));
     float half_log = ((exponent * BESSEL_HALF_LN_TWO) + (constant + (logarithm - growth_1)));
-    float near_2 = ((y_10 >= BESSEL_HEAD_END) ? middle_2 : head_3);
-    return ((y_10 >= BESSEL_BORDER) ? (y_10 - half_log) : near_2);
+    float near_2 = ((y_11 >= BESSEL_HEAD_END) ? middle_2 : head_3);
+    return ((y_11 >= BESSEL_BORDER) ? (y_11 - half_log) : near_2);
 }
 
 // Returns I1(x)/I0(x), to 2 units of the last place.
@@ -1024,33 +1130,33 @@ float log_bessel_izero(float x_11)
 // Any x; odd; x/2 near 0, 1 - 1/(2x) far from it. The derivative of [`log_bessel_izero`].
 float bessel_ratio(float x_12)
 {
-    float y_11 = abs(x_12);
-    float bounded_5 = min(y_11, BESSEL_HEAD_END);
-    float u_10 = (bounded_5 * bounded_5);
-    float bend_2 = (BESSEL_RATIO_HEAD_A + (u_10 * (BESSEL_RATIO_HEAD_B + (u_10 * (BESSEL_RATIO_HEAD_C + (u_10 * (BESSEL_RATIO_HEAD_D + (u_10 * BESSEL_RATIO_HEAD_E))))))));
-    float head_4 = (bounded_5 * (0.5 + (u_10 * bend_2)));
-    float middle_y_1 = min(y_11, BESSEL_BORDER);
-    bool second_3 = (middle_y_1 >= BESSEL_RATIO_FIRST_END);
-    float centre_4 = (second_3 ? BESSEL_RATIO_SECOND_CENTRE : BESSEL_RATIO_FIRST_CENTRE);
-    float value_9 = (second_3 ? BESSEL_RATIO_SECOND_VALUE : BESSEL_RATIO_FIRST_VALUE);
-    float pa_2 = (second_3 ? BESSEL_RATIO_SECOND_A : BESSEL_RATIO_FIRST_A);
-    float pb_2 = (second_3 ? BESSEL_RATIO_SECOND_B : BESSEL_RATIO_FIRST_B);
-    float pc_2 = (second_3 ? BESSEL_RATIO_SECOND_C : BESSEL_RATIO_FIRST_C);
-    float pd_2 = (second_3 ? BESSEL_RATIO_SECOND_D : BESSEL_RATIO_FIRST_D);
-    float pe_2 = (second_3 ? BESSEL_RATIO_SECOND_E : BESSEL_RATIO_FIRST_E);
-    float pf_2 = (second_3 ? BESSEL_RATIO_SECOND_F : BESSEL_RATIO_FIRST_F);
-    float pg_2 = (second_3 ? BESSEL_RATIO_SECOND_G : BESSEL_RATIO_FIRST_G);
-    float ph_1 = (second_3 ? BESSEL_RATIO_SECOND_H : 0.0);
-    float d_7 = (middle_y_1 - centre_4);
-    float upper_2 = (pd_2 + (d_7 * (pe_2 + (d_7 * (pf_2 + (d_7 * (pg_2 + (d_7 * ph_1))))))));
-    float middle_3 = (value_9 + (d_7 * (pa_2 + (d_7 * (pb_2 + (d_7 * (pc_2 + (d_7 * upper_2))))))));
-    float v_9 = (1.0 / max(y_11, BESSEL_BORDER));
+    float y_12 = abs(x_12);
+    float bounded_5 = min(y_12, BESSEL_HEAD_END);
+    float u_12 = (bounded_5 * bounded_5);
+    float bend_2 = (BESSEL_RATIO_HEAD_A + (u_12 * (BESSEL_RATIO_HEAD_B + (u_12 * (BESSEL_RATIO_HEAD_C + (u_12 * (BESSEL_RATIO_HEAD_D + (u_12 * BESSEL_RATIO_HEAD_E))))))));
+    float head_4 = (bounded_5 * (0.5 + (u_12 * bend_2)));
+    float middle_y_1 = min(y_12, BESSEL_BORDER);
+    bool second_6 = (middle_y_1 >= BESSEL_RATIO_FIRST_END);
+    float centre_4 = (second_6 ? BESSEL_RATIO_SECOND_CENTRE : BESSEL_RATIO_FIRST_CENTRE);
+    float value_9 = (second_6 ? BESSEL_RATIO_SECOND_VALUE : BESSEL_RATIO_FIRST_VALUE);
+    float pa_2 = (second_6 ? BESSEL_RATIO_SECOND_A : BESSEL_RATIO_FIRST_A);
+    float pb_2 = (second_6 ? BESSEL_RATIO_SECOND_B : BESSEL_RATIO_FIRST_B);
+    float pc_2 = (second_6 ? BESSEL_RATIO_SECOND_C : BESSEL_RATIO_FIRST_C);
+    float pd_2 = (second_6 ? BESSEL_RATIO_SECOND_D : BESSEL_RATIO_FIRST_D);
+    float pe_2 = (second_6 ? BESSEL_RATIO_SECOND_E : BESSEL_RATIO_FIRST_E);
+    float pf_2 = (second_6 ? BESSEL_RATIO_SECOND_F : BESSEL_RATIO_FIRST_F);
+    float pg_2 = (second_6 ? BESSEL_RATIO_SECOND_G : BESSEL_RATIO_FIRST_G);
+    float ph_1 = (second_6 ? BESSEL_RATIO_SECOND_H : 0.0);
+    float d_8 = (middle_y_1 - centre_4);
+    float upper_2 = (pd_2 + (d_8 * (pe_2 + (d_8 * (pf_2 + (d_8 * (pg_2 + (d_8 * ph_1))))))));
+    float middle_3 = (value_9 + (d_8 * (pa_2 + (d_8 * (pb_2 + (d_8 * (pc_2 + (d_8 * upper_2))))))));
+    float v_9 = (1.0 / max(y_12, BESSEL_BORDER));
     float top = (BESSEL_RATIO_TAIL_H + (v_9 * (BESSEL_RATIO_TAIL_I + (v_9 * BESSEL_RATIO_TAIL_J))));
     float upper_tail = (BESSEL_RATIO_TAIL_E + (v_9 * (BESSEL_RATIO_TAIL_F + (v_9 * (BESSEL_RATIO_TAIL_G + (v_9 * top))))));
     float lower_tail = (BESSEL_RATIO_TAIL_B + (v_9 * (BESSEL_RATIO_TAIL_C + (v_9 * (BESSEL_RATIO_TAIL_D + (v_9 * upper_tail))))));
     float tail_4 = (1.0 - (v_9 * (BESSEL_RATIO_TAIL_A + (v_9 * lower_tail))));
-    float near_3 = ((y_11 >= BESSEL_HEAD_END) ? middle_3 : head_4);
-    const float _e114 = odd_continuation(x_12, ((y_11 >= BESSEL_BORDER) ? tail_4 : near_3));
+    float near_3 = ((y_12 >= BESSEL_HEAD_END) ? middle_3 : head_4);
+    const float _e114 = odd_continuation(x_12, ((y_12 >= BESSEL_BORDER) ? tail_4 : near_3));
     return _e114;
 }
 
@@ -1069,9 +1175,9 @@ PowerOfE power_of_e(float leading, float rest_2)
 {
     float n_4 = round(((leading + rest_2) * LOG_TWO_E));
     float r_4 = ((leading - (n_4 * LN_TWO_HIGH)) + (rest_2 - (n_4 * LN_TWO_LOW)));
-    float e_1 = (EXPONENTIAL_A + (r_4 * (EXPONENTIAL_B + (r_4 * (EXPONENTIAL_C + (r_4 * (EXPONENTIAL_D + (r_4 * EXPONENTIAL_E))))))));
+    float e_2 = (EXPONENTIAL_A + (r_4 * (EXPONENTIAL_B + (r_4 * (EXPONENTIAL_C + (r_4 * (EXPONENTIAL_D + (r_4 * EXPONENTIAL_E))))))));
     float halved_6 = round((n_4 * 0.5));
-    const PowerOfE powerofe = ConstructPowerOfE((1.0 + (r_4 * (1.0 + (r_4 * e_1)))), asfloat((asuint((halved_6 + EXPONENT_BIAS)) << 23u)), asfloat((asuint(((n_4 - halved_6) + EXPONENT_BIAS)) << 23u)));
+    const PowerOfE powerofe = ConstructPowerOfE((1.0 + (r_4 * (1.0 + (r_4 * e_2)))), asfloat((asuint((halved_6 + EXPONENT_BIAS)) << 23u)), asfloat((asuint(((n_4 - halved_6) + EXPONENT_BIAS)) << 23u)));
     return powerofe;
 }
 
@@ -1090,9 +1196,9 @@ float product_turns(float x_14, float y_1)
     float rest_6 = ((_e2 * (y_1 - _e3)) + ((x_14 - _e2) * y_1));
     float bounded_6 = min(max(rest_6, -33554432.0), PHASE_LIMIT);
     float n_5 = round((leading_2 * INVERSE_PI));
-    float turns_2 = (((leading_2 - (n_5 * PI_HIGH)) - (n_5 * PI_LOW)) * INVERSE_PI);
+    float turns_3 = (((leading_2 - (n_5 * PI_HIGH)) - (n_5 * PI_LOW)) * INVERSE_PI);
     float small = (bounded_6 * INVERSE_PI);
-    float sum = (turns_2 + (small - round(small)));
+    float sum = (turns_3 + (small - round(small)));
     return (sum - round(sum));
 }
 
@@ -1106,22 +1212,22 @@ Complex ConstructComplex(float arg0, float arg1) {
 // Returns the polynomial of the near or of the far fit at v, in the upper half plane.
 Complex faddeeva_polynomial(Complex v_1, bool near)
 {
-    float s_7 = (v_1.re + v_1.re);
+    float s_8 = (v_1.re + v_1.re);
     float t_2 = ((v_1.re * v_1.re) + (v_1.im * v_1.im));
     float p_o = (near ? FADDEEVA_NEAR_O : FADDEEVA_FAR_O);
-    float p_n = ((near ? FADDEEVA_NEAR_N : FADDEEVA_FAR_N) + (s_7 * p_o));
-    float p_m = (((near ? FADDEEVA_NEAR_M : FADDEEVA_FAR_M) - (t_2 * p_o)) + (s_7 * p_n));
-    float p_l = (((near ? FADDEEVA_NEAR_L : FADDEEVA_FAR_L) - (t_2 * p_n)) + (s_7 * p_m));
-    float p_k = (((near ? FADDEEVA_NEAR_K : FADDEEVA_FAR_K) - (t_2 * p_m)) + (s_7 * p_l));
-    float p_j = (((near ? FADDEEVA_NEAR_J : FADDEEVA_FAR_J) - (t_2 * p_l)) + (s_7 * p_k));
-    float p_i = (((near ? FADDEEVA_NEAR_I : FADDEEVA_FAR_I) - (t_2 * p_k)) + (s_7 * p_j));
-    float p_h = (((near ? FADDEEVA_NEAR_H : FADDEEVA_FAR_H) - (t_2 * p_j)) + (s_7 * p_i));
-    float p_g = (((near ? FADDEEVA_NEAR_G : FADDEEVA_FAR_G) - (t_2 * p_i)) + (s_7 * p_h));
-    float p_f = (((near ? FADDEEVA_NEAR_F : FADDEEVA_FAR_F) - (t_2 * p_h)) + (s_7 * p_g));
-    float p_e = (((near ? FADDEEVA_NEAR_E : FADDEEVA_FAR_E) - (t_2 * p_g)) + (s_7 * p_f));
-    float p_d = (((near ? FADDEEVA_NEAR_D : FADDEEVA_FAR_D) - (t_2 * p_f)) + (s_7 * p_e));
-    float p_c = (((near ? FADDEEVA_NEAR_C : FADDEEVA_FAR_C) - (t_2 * p_e)) + (s_7 * p_d));
-    float p_b = (((near ? FADDEEVA_NEAR_B : FADDEEVA_FAR_B) - (t_2 * p_d)) + (s_7 * p_c));
+    float p_n = ((near ? FADDEEVA_NEAR_N : FADDEEVA_FAR_N) + (s_8 * p_o));
+    float p_m = (((near ? FADDEEVA_NEAR_M : FADDEEVA_FAR_M) - (t_2 * p_o)) + (s_8 * p_n));
+    float p_l = (((near ? FADDEEVA_NEAR_L : FADDEEVA_FAR_L) - (t_2 * p_n)) + (s_8 * p_m));
+    float p_k = (((near ? FADDEEVA_NEAR_K : FADDEEVA_FAR_K) - (t_2 * p_m)) + (s_8 * p_l));
+    float p_j = (((near ? FADDEEVA_NEAR_J : FADDEEVA_FAR_J) - (t_2 * p_l)) + (s_8 * p_k));
+    float p_i = (((near ? FADDEEVA_NEAR_I : FADDEEVA_FAR_I) - (t_2 * p_k)) + (s_8 * p_j));
+    float p_h = (((near ? FADDEEVA_NEAR_H : FADDEEVA_FAR_H) - (t_2 * p_j)) + (s_8 * p_i));
+    float p_g = (((near ? FADDEEVA_NEAR_G : FADDEEVA_FAR_G) - (t_2 * p_i)) + (s_8 * p_h));
+    float p_f = (((near ? FADDEEVA_NEAR_F : FADDEEVA_FAR_F) - (t_2 * p_h)) + (s_8 * p_g));
+    float p_e = (((near ? FADDEEVA_NEAR_E : FADDEEVA_FAR_E) - (t_2 * p_g)) + (s_8 * p_f));
+    float p_d = (((near ? FADDEEVA_NEAR_D : FADDEEVA_FAR_D) - (t_2 * p_f)) + (s_8 * p_e));
+    float p_c = (((near ? FADDEEVA_NEAR_C : FADDEEVA_FAR_C) - (t_2 * p_e)) + (s_8 * p_d));
+    float p_b = (((near ? FADDEEVA_NEAR_B : FADDEEVA_FAR_B) - (t_2 * p_d)) + (s_8 * p_c));
     float re_3 = (((near ? FADDEEVA_NEAR_A : FADDEEVA_FAR_A) - (t_2 * p_c)) + (v_1.re * p_b));
     float im_3 = (v_1.im * p_b);
     const Complex complex = ConstructComplex(re_3, im_3);
@@ -1140,16 +1246,16 @@ Complex faddeeva_quadrant(float x_15, float y_2)
     float size = (square_1 + (ys * ys));
     bool near_4 = (size < (huge ? 0.0 : FADDEEVA_BORDER));
     float pole = (near_4 ? FADDEEVA_NEAR_POLE : FADDEEVA_FAR_POLE);
-    float across = (ys + pole);
-    float inverse_1 = (1.0 / ((across * across) + square_1));
+    float across_1 = (ys + pole);
+    float inverse_1 = (1.0 / ((across_1 * across_1) + square_1));
     float along = (ys - FADDEEVA_CENTRE);
-    Complex v_10 = ConstructComplex((((along * across) + square_1) * inverse_1), -(((pole + FADDEEVA_CENTRE) * (xs * inverse_1))));
+    Complex v_10 = ConstructComplex((((along * across_1) + square_1) * inverse_1), -(((pole + FADDEEVA_CENTRE) * (xs * inverse_1))));
     const Complex _e40 = faddeeva_polynomial(v_10, near_4);
     float near_re = (FADDEEVA_AT_CENTRE + ((along * _e40.re) + (xs * _e40.im)));
     float near_im = ((along * _e40.im) - (xs * _e40.re));
     float inverse_square = (inverse_1 * inverse_1);
-    float q_square = (((across - xs) * (across + xs)) * inverse_square);
-    float q_twice = (((across + across) * xs) * inverse_square);
+    float q_square = (((across_1 - xs) * (across_1 + xs)) * inverse_square);
+    float q_twice = (((across_1 + across_1) * xs) * inverse_square);
     float f_re = (huge ? 0.0 : ((q_square * _e40.re) - (q_twice * _e40.im)));
     float f_im = (huge ? 0.0 : ((q_square * _e40.im) + (q_twice * _e40.re)));
     float shrink = (INVERSE_ROOT_PI / size);
@@ -1237,17 +1343,17 @@ Complex faddeeva_w(float re_1, float im_1)
 // Returns the polynomial of the coarse tier at v.
 Complex faddeeva_polynomial_coarse(Complex v_2)
 {
-    float s_8 = (v_2.re + v_2.re);
+    float s_9 = (v_2.re + v_2.re);
     float t_3 = ((v_2.re * v_2.re) + (v_2.im * v_2.im));
-    float p_j_1 = (FADDEEVA_COARSE_J + (s_8 * FADDEEVA_COARSE_K));
-    float p_i_1 = ((FADDEEVA_COARSE_I - (t_3 * FADDEEVA_COARSE_K)) + (s_8 * p_j_1));
-    float p_h_1 = ((FADDEEVA_COARSE_H - (t_3 * p_j_1)) + (s_8 * p_i_1));
-    float p_g_1 = ((FADDEEVA_COARSE_G - (t_3 * p_i_1)) + (s_8 * p_h_1));
-    float p_f_1 = ((FADDEEVA_COARSE_F - (t_3 * p_h_1)) + (s_8 * p_g_1));
-    float p_e_1 = ((FADDEEVA_COARSE_E - (t_3 * p_g_1)) + (s_8 * p_f_1));
-    float p_d_1 = ((FADDEEVA_COARSE_D - (t_3 * p_f_1)) + (s_8 * p_e_1));
-    float p_c_1 = ((FADDEEVA_COARSE_C - (t_3 * p_e_1)) + (s_8 * p_d_1));
-    float p_b_1 = ((FADDEEVA_COARSE_B - (t_3 * p_d_1)) + (s_8 * p_c_1));
+    float p_j_1 = (FADDEEVA_COARSE_J + (s_9 * FADDEEVA_COARSE_K));
+    float p_i_1 = ((FADDEEVA_COARSE_I - (t_3 * FADDEEVA_COARSE_K)) + (s_9 * p_j_1));
+    float p_h_1 = ((FADDEEVA_COARSE_H - (t_3 * p_j_1)) + (s_9 * p_i_1));
+    float p_g_1 = ((FADDEEVA_COARSE_G - (t_3 * p_i_1)) + (s_9 * p_h_1));
+    float p_f_1 = ((FADDEEVA_COARSE_F - (t_3 * p_h_1)) + (s_9 * p_g_1));
+    float p_e_1 = ((FADDEEVA_COARSE_E - (t_3 * p_g_1)) + (s_9 * p_f_1));
+    float p_d_1 = ((FADDEEVA_COARSE_D - (t_3 * p_f_1)) + (s_9 * p_e_1));
+    float p_c_1 = ((FADDEEVA_COARSE_C - (t_3 * p_e_1)) + (s_9 * p_d_1));
+    float p_b_1 = ((FADDEEVA_COARSE_B - (t_3 * p_d_1)) + (s_9 * p_c_1));
     float re_5 = ((FADDEEVA_COARSE_A - (t_3 * p_c_1)) + (v_2.re * p_b_1));
     float im_5 = (v_2.im * p_b_1);
     const Complex complex_5 = ConstructComplex(re_5, im_5);
@@ -1261,9 +1367,9 @@ Complex faddeeva_quadrant_coarse(float x_17, float y_4)
     bool huge_1 = (largest_2 > FADDEEVA_SQUARE_LIMIT);
     float scale_3 = (huge_1 ? FADDEEVA_SHRINK : 1.0);
     float xs_1 = (min(x_17, INFINITE_LIMIT) * scale_3);
-    float across_1 = ((min(y_4, INFINITE_LIMIT) * scale_3) + (huge_1 ? 0.0 : FADDEEVA_COARSE_POLE));
-    float inverse_2 = (1.0 / ((across_1 * across_1) + (xs_1 * xs_1)));
-    float q_re = (across_1 * inverse_2);
+    float across_2 = ((min(y_4, INFINITE_LIMIT) * scale_3) + (huge_1 ? 0.0 : FADDEEVA_COARSE_POLE));
+    float inverse_2 = (1.0 / ((across_2 * across_2) + (xs_1 * xs_1)));
+    float q_re = (across_2 * inverse_2);
     float q_im = (xs_1 * inverse_2);
     float double_pole = (huge_1 ? 0.0 : 5.0);
     Complex v_11 = ConstructComplex(((double_pole * q_re) - 1.0), (double_pole * q_im));
@@ -1319,15 +1425,15 @@ Complex erf_end(float a_1, float b, float turns_1)
 // The Taylor series in q = (m + i b)^2 d^2 and d^2.
 Complex erf_short_series(float middle_1, float b_1, float halved_1)
 {
-    float d_8 = (halved_1 * halved_1);
-    float across_2 = (halved_1 * middle_1);
+    float d_9 = (halved_1 * halved_1);
+    float across_3 = (halved_1 * middle_1);
     float along_1 = (halved_1 * b_1);
-    float q_re_1 = ((across_2 - along_1) * (across_2 + along_1));
-    float q_im_1 = ((across_2 + across_2) * along_1);
-    float k_3 = (1.0 + (d_8 * (-0.33333334 + (d_8 * (0.1 + (d_8 * (-0.023809524 + (d_8 * (0.0046296297 - (d_8 * 0.00075757573))))))))));
-    float l = (0.6666667 + (d_8 * (-0.4 + (d_8 * (0.14285715 + (d_8 * (-0.037037037 + (d_8 * 0.007575758))))))));
-    float m_9 = (0.13333334 + (d_8 * (-0.0952381 + (d_8 * 0.037037037))));
-    float n_6 = (0.012698413 - (d_8 * 0.009876543));
+    float q_re_1 = ((across_3 - along_1) * (across_3 + along_1));
+    float q_im_1 = ((across_3 + across_3) * along_1);
+    float k_3 = (1.0 + (d_9 * (-0.33333334 + (d_9 * (0.1 + (d_9 * (-0.023809524 + (d_9 * (0.0046296297 - (d_9 * 0.00075757573))))))))));
+    float l = (0.6666667 + (d_9 * (-0.4 + (d_9 * (0.14285715 + (d_9 * (-0.037037037 + (d_9 * 0.007575758))))))));
+    float m_9 = (0.13333334 + (d_9 * (-0.0952381 + (d_9 * 0.037037037))));
+    float n_6 = (0.012698413 - (d_9 * 0.009876543));
     float first_re = (m_9 + (q_re_1 * n_6));
     float first_im = (q_im_1 * n_6);
     float second_re = (l + ((q_re_1 * first_re) - (q_im_1 * first_im)));
@@ -1354,22 +1460,22 @@ Complex erf_difference_scaled_turns(float a_from, float a_to, float b_2, float t
     float extent_5 = (a_to - a_from);
     float halved_8 = (0.5 * extent_5);
     bool nearer_to = (abs(a_to) < abs(a_from));
-    float base = (nearer_to ? a_to : a_from);
+    float base_2 = (nearer_to ? a_to : a_from);
     float stride = (nearer_to ? -(halved_8) : halved_8);
-    float middle_4 = (base + stride);
-    float across_3 = (halved_8 * middle_4);
+    float middle_4 = (base_2 + stride);
+    float across_4 = (halved_8 * middle_4);
     float along_2 = (halved_8 * b_2);
     if ((abs(halved_8) <= ERF_SHORT)) {
-        local_5 = (((across_3 * across_3) + (along_2 * along_2)) <= ERF_SHORT_SQUARE);
+        local_5 = (((across_4 * across_4) + (along_2 * along_2)) <= ERF_SHORT_SQUARE);
     } else {
         local_5 = false;
     }
     bool is_short = local_5;
     float apart = (nearer_to ? (turns_from - turns_to) : (turns_to - turns_from));
-    float turns_3 = ((nearer_to ? turns_to : turns_from) + (0.5 * (apart - round(apart))));
-    const SineCosine _e38 = sine_cosine_turns(turns_3);
-    float rest_7 = (stride * ((base + base) + stride));
-    const float _e47 = erf_gaussian(min(abs(base), ERF_END_LARGEST), rest_7);
+    float turns_4 = ((nearer_to ? turns_to : turns_from) + (0.5 * (apart - round(apart))));
+    const SineCosine _e38 = sine_cosine_turns(turns_4);
+    float rest_7 = (stride * ((base_2 + base_2) + stride));
+    const float _e47 = erf_gaussian(min(abs(base_2), ERF_END_LARGEST), rest_7);
     float scale_4 = ((TWO_INVERSE_ROOT_PI * extent_5) * _e47);
     const Complex _e49 = erf_short_series(middle_4, b_2, halved_8);
     float short_re = (scale_4 * ((_e49.re * _e38.cosine) + (_e49.im * _e38.sine)));
@@ -1404,4 +1510,752 @@ Complex erf_difference_scaled(float a_from_1, float a_to_1, float b_3)
     const Complex _e5 = erf_difference_scaled_turns(a_from_1, a_to_1, b_3, _e3, _e4);
     const Complex complex_11 = _e5;
     return complex_11;
+}
+
+Turns ConstructTurns(float arg0, float arg1) {
+    Turns ret = (Turns)0;
+    ret.whole = arg0;
+    ret.rest = arg1;
+    return ret;
+}
+
+// Returns a b/c in turns.
+//
+// The partial products are exact for |a b/c| to 4096; beyond, the error of the rest grows as 2^-35
+// |a b/c|.
+Turns ratio_turns(float a_2, float b_4, float c)
+{
+    float whole_1 = round(((a_2 * b_4) / c));
+    const float _e6 = leading_bits(a_2);
+    const float _e7 = leading_bits(b_4);
+    const float _e8 = leading_bits(c);
+    const float _e9 = leading_bits(whole_1);
+    float leading_3 = min(max(((_e6 * _e7) - (_e9 * _e8)), -33554432.0), PHASE_LIMIT);
+    float given = ((_e6 * (b_4 - _e7)) + ((a_2 - _e6) * b_4));
+    float taken = ((_e9 * (c - _e8)) + ((whole_1 - _e9) * c));
+    const Turns turns_5 = ConstructTurns(whole_1, ((leading_3 + (given - taken)) / c));
+    return turns_5;
+}
+
+// Returns sin(2 pi t)/(2 pi t) from t and from its sine.
+float sinc_turns(Turns turns_2, float sine)
+{
+    float total_1 = (turns_2.whole + turns_2.rest);
+    return ((abs(total_1) < SINC_TURNS_LIMIT) ? 1.0 : (sine / (TWO_PI * total_1)));
+}
+
+// Returns W sinc(pi W xi/lambda), in the unit of the width (VWH18 Eq. 3).
+float width_term(float width_1, float xi_b, float wavelength)
+{
+    const Turns _e4 = ratio_turns(width_1, xi_b, (wavelength + wavelength));
+    const SineCosine _e6 = sine_cosine_turns(_e4.rest);
+    const float _e8 = sinc_turns(_e4, _e6.sine);
+    return (width_1 * _e8);
+}
+
+// Returns the sine and cosine of half the phase of the depth, pi gamma D/lambda; both may have the
+// other sign.
+SineCosine depth_half_phase(float depth, float gamma_sum, float wavelength_1)
+{
+    const Turns _e4 = ratio_turns(depth, gamma_sum, wavelength_1);
+    const SineCosine _e7 = sine_cosine_turns((0.5 * _e4.rest));
+    const SineCosine sinecosine_5 = _e7;
+    return sinecosine_5;
+}
+
+// Returns 1 - exp(2 pi i (gamma_i + gamma_o) D/lambda), dimensionless (WVJH17 Eq. 20).
+Complex depth_term(float depth_1, float gamma_sum_1, float wavelength_2)
+{
+    const SineCosine _e3 = depth_half_phase(depth_1, gamma_sum_1, wavelength_2);
+    float twice_3 = (_e3.sine + _e3.sine);
+    const Complex complex_12 = ConstructComplex((twice_3 * _e3.sine), -((twice_3 * _e3.cosine)));
+    return complex_12;
+}
+
+// Returns |1 - exp(2 pi i (gamma_i + gamma_o) D/lambda)|^2, from 0 to 4.
+float depth_term_squared(float depth_2, float gamma_sum_2, float wavelength_3)
+{
+    const SineCosine _e3 = depth_half_phase(depth_2, gamma_sum_2, wavelength_3);
+    float twice_4 = (_e3.sine + _e3.sine);
+    return (twice_4 * twice_4);
+}
+
+// Returns W sinc(pi W xi/lambda) (1 - exp(2 pi i (gamma_i + gamma_o) D/lambda)), in the unit of the
+// width: mask less
+// scratch of a rectangle (VWH18 Eq. 3).
+Complex profile_rectangle(float width_2, float depth_3, float xi_b_1, float gamma_sum_3, float wavelength_4)
+{
+    const float _e5 = width_term(width_2, xi_b_1, wavelength_4);
+    const Complex _e6 = depth_term(depth_3, gamma_sum_3, wavelength_4);
+    const Complex complex_13 = ConstructComplex((_e5 * _e6.re), (_e5 * _e6.im));
+    return complex_13;
+}
+
+TriangleFlanks ConstructTriangleFlanks(float arg0, float arg1, SineCosine arg2, SineCosine arg3, float arg4, float arg5) {
+    TriangleFlanks ret = (TriangleFlanks)0;
+    ret.sinc_a = arg0;
+    ret.sinc_b = arg1;
+    ret.a = arg2;
+    ret.b = arg3;
+    ret.deep = arg4;
+    ret.across = arg5;
+    return ret;
+}
+
+// Returns the two sinc of a triangle.
+TriangleFlanks triangle_flanks(float width_3, float depth_4, float xi_b_2, float gamma_sum_4, float wavelength_5)
+{
+    float twice_5 = (wavelength_5 + wavelength_5);
+    const Turns _e6 = ratio_turns(depth_4, gamma_sum_4, twice_5);
+    const Turns _e8 = ratio_turns(width_3, xi_b_2, (twice_5 + twice_5));
+    Turns sum_1 = ConstructTurns((_e6.whole + _e8.whole), (_e6.rest + _e8.rest));
+    Turns difference = ConstructTurns((_e6.whole - _e8.whole), (_e6.rest - _e8.rest));
+    const SineCosine _e24 = sine_cosine_turns(sum_1.rest);
+    const SineCosine _e26 = sine_cosine_turns(difference.rest);
+    float halved_9 = (0.5 * width_3);
+    const float _e30 = sinc_turns(sum_1, _e24.sine);
+    const float _e33 = sinc_turns(difference, _e26.sine);
+    const TriangleFlanks triangleflanks = ConstructTriangleFlanks((halved_9 * _e30), (halved_9 * _e33), _e24, _e26, (_e6.whole + _e6.rest), (_e8.whole + _e8.rest));
+    return triangleflanks;
+}
+
+// Returns the transform of a triangular groove alone, without its mask, in the unit of the width
+// (WVJH17 Eq. 29).
+//
+// Two sinc, each the other's phase: no poles.
+Complex profile_triangle(float width_4, float depth_5, float xi_b_3, float gamma_sum_5, float wavelength_6)
+{
+    const TriangleFlanks _e5 = triangle_flanks(width_4, depth_5, xi_b_3, gamma_sum_5, wavelength_6);
+    const Complex complex_14 = ConstructComplex(((_e5.sinc_a * _e5.b.cosine) + (_e5.sinc_b * _e5.a.cosine)), ((_e5.sinc_a * _e5.b.sine) + (_e5.sinc_b * _e5.a.sine)));
+    return complex_14;
+}
+
+// Returns (1 - exp(i p (1 - u))) cos(w u) at one u, for half phases p/2 and w/2.
+Complex triangle_shallow_node(float deep, float across, float u)
+{
+    const SineCosine _e6 = sine_cosine_near((deep * (1.0 - u)));
+    const SineCosine _e11 = sine_cosine_near(((across + across) * u));
+    float height_1 = (2.0 * (_e6.sine * _e11.cosine));
+    const Complex complex_15 = ConstructComplex((height_1 * _e6.sine), -((height_1 * _e6.cosine)));
+    return complex_15;
+}
+
+// Returns the response of a triangular groove, mask less scratch, in the unit of the width (WVJH17
+// Eqs. 9 and 29).
+//
+// The difference of mask and [`profile_triangle`] in a deep groove, its own two sinc in a wide one,
+// and a Gauss rule of
+// four points where both phases are small: a shallow groove keeps its digits.
+Complex response_triangle(float width_5, float depth_6, float xi_b_4, float gamma_sum_6, float wavelength_7)
+{
+    const TriangleFlanks _e5 = triangle_flanks(width_5, depth_6, xi_b_4, gamma_sum_6, wavelength_7);
+    const float _e6 = width_term(width_5, xi_b_4, wavelength_7);
+    float slope = (_e5.deep / _e5.across);
+    bool is_wide = (abs(_e5.deep) <= abs(_e5.across));
+    float a_re = (_e5.sinc_a * _e5.b.cosine);
+    float a_im = (_e5.sinc_a * _e5.b.sine);
+    float b_re = (_e5.sinc_b * _e5.a.cosine);
+    float b_im = (_e5.sinc_b * _e5.a.sine);
+    float re_6 = (is_wide ? (slope * (a_re - b_re)) : (_e6 - (a_re + b_re)));
+    float im_7 = (is_wide ? (slope * (a_im - b_im)) : -((a_im + b_im)));
+    float deep_1 = min(max((TWO_PI * _e5.deep), -0.875), 0.875);
+    float across_5 = min(max((TWO_PI * _e5.across), -0.875), 0.875);
+    bool is_shallow = ((abs(_e5.deep) + abs(_e5.across)) <= TRIANGLE_SHALLOW_LIMIT);
+    const Complex _e63 = triangle_shallow_node(deep_1, across_5, 0.06943184);
+    const Complex _e65 = triangle_shallow_node(deep_1, across_5, 0.33000946);
+    const Complex _e67 = triangle_shallow_node(deep_1, across_5, 0.66999054);
+    const Complex _e69 = triangle_shallow_node(deep_1, across_5, 0.93056816);
+    float outer_re = (0.17392743 * (_e63.re + _e69.re));
+    float outer_im = (0.17392743 * (_e63.im + _e69.im));
+    float inner_re = (0.32607257 * (_e65.re + _e67.re));
+    float inner_im = (0.32607257 * (_e65.im + _e67.im));
+    const Complex complex_16 = ConstructComplex((is_shallow ? (width_5 * (outer_re + inner_re)) : re_6), (is_shallow ? (width_5 * (outer_im + inner_im)) : im_7));
+    return complex_16;
+}
+
+// Returns a place over a radius, 0 of 0.
+float in_radii(float place, float radius)
+{
+    return ((place == 0.0) ? place : (place / radius));
+}
+
+// Returns exp(-r^2/(2 sigma^2)), the coherence window at a distance (WVJH17 Eq. 13).
+float coherence_window(float offset, float radius_1)
+{
+    const float _e2 = in_radii(offset, radius_1);
+    const float _e6 = exponential((-0.5 * (_e2 * _e2)));
+    return _e6;
+}
+
+// Returns the share of the window's amplitude on one infinite scratch at a distance: 1 for a full
+// coverage (VWH18 Eq. 17,
+// normalised). [`area_density`](super::area_density) is the share of its energy.
+float area_density_amplitude(float width_6, float offset_1, float radius_2)
+{
+    float r_5 = (offset_1 / radius_2);
+    const float _e10 = exponential((-0.5 * (r_5 * r_5)));
+    return ((INVERSE_ROOT_TWO_PI * (width_6 / radius_2)) * _e10);
+}
+
+// Returns sigma k xi, the direction cosine in widths of the transformed window.
+float window_cosine(float radius_3, float wavelength_8, float xi)
+{
+    return ((TWO_PI * radius_3) * (xi / wavelength_8));
+}
+
+// Returns a modulus times exp(-2 pi i a b/c), 0 where the modulus is 0.
+Complex turned_back(float modulus, float a_3, float b_5, float c_1)
+{
+    const Turns _e4 = ratio_turns(a_3, b_5, c_1);
+    const SineCosine _e10 = sine_cosine_turns(((modulus == 0.0) ? 0.0 : _e4.rest));
+    const Complex complex_17 = ConstructComplex((modulus * _e10.cosine), -((modulus * _e10.sine)));
+    return complex_17;
+}
+
+// Returns eta of a finite scratch, in the unit of the lengths (VWH18 Eq. 5).
+//
+// `radius` is sigma, `s_t` and `s_b` the scratch's origin along and across it from the shaded
+// point, `l_from` and `l_to`
+// its ends from the origin, infinite ones allowed; `xi_t` and `xi_b` the scattering vector along
+// and across.
+Complex spatial_phase(float radius_4, float wavelength_9, float xi_t, float xi_b_5, float s_t, float s_b, float l_from, float l_to)
+{
+    float height_2 = ((ROOT_TWO_TIMES_PI * radius_4) * (xi_t / wavelength_9));
+    const Turns _e12 = ratio_turns(s_t, xi_t, wavelength_9);
+    float origin = _e12.rest;
+    const float _e16 = in_radii((s_t + l_from), radius_4);
+    const float _e20 = in_radii((s_t + l_to), radius_4);
+    const Turns _e22 = ratio_turns(l_from, xi_t, wavelength_9);
+    const Turns _e25 = ratio_turns(l_to, xi_t, wavelength_9);
+    const Complex _e28 = erf_difference_scaled_turns((INVERSE_ROOT_TWO * _e16), (INVERSE_ROOT_TWO * _e20), height_2, (origin + _e22.rest), (origin + _e25.rest));
+    const float _e31 = coherence_window(s_b, radius_4);
+    const Complex _e33 = turned_back(((ROOT_HALF_PI * radius_4) * _e31), s_b, xi_b_5, wavelength_9);
+    const Complex complex_18 = ConstructComplex(((_e28.re * _e33.re) - (_e28.im * _e33.im)), ((_e28.re * _e33.im) + (_e28.im * _e33.re)));
+    return complex_18;
+}
+
+// Returns eta of an infinite scratch at the distance `s_b` (VWH18 Eq. 8).
+Complex spatial_phase_infinite(float radius_5, float wavelength_10, float xi_t_1, float xi_b_6, float s_b_1)
+{
+    const float _e5 = in_radii(s_b_1, radius_5);
+    const float _e6 = window_cosine(radius_5, wavelength_10, xi_t_1);
+    const float _e14 = exponential((-0.5 * ((_e5 * _e5) + (_e6 * _e6))));
+    float modulus_1 = ((ROOT_TWO_PI * radius_5) * _e14);
+    const Complex _e16 = turned_back(modulus_1, s_b_1, xi_b_6, wavelength_10);
+    const Complex complex_19 = _e16;
+    return complex_19;
+}
+
+// Returns |eta|^2 of an infinite scratch at the distance `s_b` (VWH18 Eq. 9).
+float spatial_phase_infinite_squared(float radius_6, float wavelength_11, float xi_t_2, float s_b_2)
+{
+    const float _e4 = in_radii(s_b_2, radius_6);
+    const float _e5 = window_cosine(radius_6, wavelength_11, xi_t_2);
+    const float _e13 = exponential(-(((_e4 * _e4) + (_e5 * _e5))));
+    return (((TWO_PI * radius_6) * radius_6) * _e13);
+}
+
+// Returns 2 pi sigma^2 exp(-(sigma k |xi|)^2/2), the transform of the window (WVJH17 Eq. 16).
+float base_response(float radius_7, float wavelength_12, float xi_t_3, float xi_b_7)
+{
+    const float _e4 = window_cosine(radius_7, wavelength_12, xi_t_3);
+    const float _e5 = window_cosine(radius_7, wavelength_12, xi_b_7);
+    const float _e14 = exponential((-0.5 * ((_e4 * _e4) + (_e5 * _e5))));
+    return (((TWO_PI * radius_7) * radius_7) * _e14);
+}
+
+// Returns the share of the window's energy on one infinite scratch at a distance: 1 for a full
+// coverage.
+float area_density(float width_7, float offset_2, float radius_8)
+{
+    float r_6 = (offset_2 / radius_8);
+    const float _e9 = exponential(-((r_6 * r_6)));
+    return ((INVERSE_ROOT_PI * (width_7 / radius_8)) * _e9);
+}
+
+// Returns 1 - rho, the factor of the scratches' incoherent reflectance; a density above 1 counts as
+// 1.
+float energy_blend_scratches(float density)
+{
+    return ((density > 1.0) ? 0.0 : (1.0 - density));
+}
+
+// Returns rho (1 - rho) times the squared depth term, the energy that scratches of an area density
+// rho scatter: no factor.
+//
+// A density above 1 counts as 1.
+float energy_blend_scattered(float density_1, float depth_squared)
+{
+    const float _e2 = energy_blend_scratches(density_1);
+    return ((density_1 * _e2) * depth_squared);
+}
+
+// Returns 1 - rho (1 - rho) times the squared depth term of the mirror direction, the factor of the
+// base's reflectance.
+float energy_blend_base(float density_2, float depth_squared_1)
+{
+    const float _e3 = energy_blend_scattered(density_2, depth_squared_1);
+    return (1.0 - _e3);
+}
+
+// Returns the sum of |S|^2 over A_C lambda^2, in 1/sr (VWH18 Eqs. 6 and 7).
+float reflectance_incoherent(float radius_9, float wavelength_13, float squared_sum)
+{
+    float size_2 = (radius_9 * wavelength_13);
+    return (squared_sum / (ARC_PI * (size_2 * size_2)));
+}
+
+// Returns |B - S|^2/(A_C lambda^2), in 1/sr (VWH18 Eq. 1; Fresnel factor apart).
+float reflectance_coherent(float radius_10, float wavelength_14, float base, float scratches_re, float scratches_im)
+{
+    float re_7 = (base - scratches_re);
+    const float _e9 = reflectance_incoherent(radius_10, wavelength_14, ((re_7 * re_7) + (scratches_im * scratches_im)));
+    return _e9;
+}
+
+// Returns the mean |S|^2 of an infinite rectangular scratch over a footprint, in the fourth power
+// of the lengths' unit.
+//
+// `mean` is that of the footprint, `footprint_mean`, or exp(-s_b^2/sigma^2) at a point (VWH18 Eqs.
+// 9 and 16).
+float scratch_squared(float radius_11, float wavelength_15, float width_8, float depth_7, float xi_t_4, float xi_b_8, float gamma_sum_7, float mean)
+{
+    const float _e8 = width_term(width_8, xi_b_8, wavelength_15);
+    const float _e9 = depth_term_squared(depth_7, gamma_sum_7, wavelength_15);
+    const float _e10 = window_cosine(radius_11, wavelength_15, xi_t_4);
+    const float _e16 = exponential(-((_e10 * _e10)));
+    float along_3 = (((TWO_PI * radius_11) * radius_11) * _e16);
+    return (((_e8 * _e8) * _e9) * (along_3 * mean));
+}
+
+// Returns -2 Re(B S), the interference of base and scratches: |B - S|^2 less |B|^2 + |S|^2 (VWH18
+// Eq. 6, corrected).
+//
+// `base` is B, which is real in the frame of the shaded point, `scratches_re` the real part of the
+// sum of all S.
+float base_interference(float base_1, float scratches_re_1)
+{
+    return (-2.0 * (base_1 * scratches_re_1));
+}
+
+// Returns a product of two complex numbers.
+Complex complex_product(Complex a_4, Complex b_6)
+{
+    const Complex complex_20 = ConstructComplex(((a_4.re * b_6.re) - (a_4.im * b_6.im)), ((a_4.re * b_6.im) + (a_4.im * b_6.re)));
+    return complex_20;
+}
+
+// Returns what two crossing rectangular scratches lack in B - S1 - S2, in the square of the
+// lengths' unit: the product of
+// the depth terms times the transform of the overlap. No paper has it; WVJH17 4.2 neglects it.
+//
+// Width, depth and unit tangent of the two scratches, the place where their centre lines meet
+// relative to the shaded
+// point, and the scattering vector, all in the same axes of the surface. No result for parallel
+// scratches.
+Complex crossing_response(float radius_12, float wavelength_16, float first_width, float first_depth, float second_width, float second_depth, float first_x, float first_y, float second_x, float second_y, float crossing_x, float crossing_y, float xi_x, float xi_y, float gamma_sum_8)
+{
+    float sine_3 = ((first_x * second_y) - (first_y * second_x));
+    float p_3 = (((xi_x * second_x) + (xi_y * second_y)) / sine_3);
+    float q_12 = (-(((xi_x * first_x) + (xi_y * first_y))) / sine_3);
+    const float _e27 = width_term(first_width, p_3, wavelength_16);
+    const float _e28 = width_term(second_width, q_12, wavelength_16);
+    float overlap = (_e27 * (_e28 / abs(sine_3)));
+    const float _e32 = in_radii(crossing_x, radius_12);
+    const float _e33 = in_radii(crossing_y, radius_12);
+    const float _e39 = exponential((-0.5 * ((_e32 * _e32) + (_e33 * _e33))));
+    const Complex _e41 = turned_back((overlap * _e39), crossing_x, xi_x, wavelength_16);
+    const Complex _e43 = turned_back(1.0, crossing_y, xi_y, wavelength_16);
+    const Complex _e44 = depth_term(first_depth, gamma_sum_8, wavelength_16);
+    const Complex _e45 = depth_term(second_depth, gamma_sum_8, wavelength_16);
+    const Complex _e46 = complex_product(_e44, _e45);
+    const Complex _e47 = complex_product(_e41, _e43);
+    const Complex _e48 = complex_product(_e46, _e47);
+    const Complex complex_21 = _e48;
+    return complex_21;
+}
+
+FootprintWindow ConstructFootprintWindow(float arg0, float arg1, float arg2, float arg3, float arg4) {
+    FootprintWindow ret = (FootprintWindow)0;
+    ret.near = arg0;
+    ret.far = arg1;
+    ret.start = arg2;
+    ret.span = arg3;
+    ret.share = arg4;
+    return ret;
+}
+
+// Returns the part of the ellipse within reach of the line.
+FootprintWindow footprint_window(float half_width, float edge)
+{
+    float width_11 = min(max(half_width, FOOTPRINT_LEAST_LIMIT), FOOTPRINT_MOST_LIMIT);
+    float near_edge = (edge + (width_11 - half_width));
+    float far_edge = ((width_11 - near_edge) + width_11);
+    float inverse_3 = (1.0 / width_11);
+    float start = max(-(near_edge), -3.95);
+    bool whole_2 = (max(near_edge, far_edge) <= FOOTPRINT_REACH);
+    float seen = max((min(far_edge, FOOTPRINT_REACH) - start), 0.0);
+    float span = (whole_2 ? (width_11 + width_11) : seen);
+    const FootprintWindow footprintwindow = ConstructFootprintWindow((max((near_edge - FOOTPRINT_REACH), 0.0) * inverse_3), (max((far_edge - FOOTPRINT_REACH), 0.0) * inverse_3), (FOOTPRINT_BINARY * start), (FOOTPRINT_BINARY * span), (span * inverse_3));
+    return footprintwindow;
+}
+
+// Returns 2^(-x^2), to f32 grade of 1, for |x| up to 11.
+float halving_square(float x_18)
+{
+    float y_13 = (x_18 * x_18);
+    float n_7 = round(y_13);
+    float r_7 = (n_7 - y_13);
+    float series = (HALVING_A + (r_7 * (HALVING_B + (r_7 * (HALVING_C + (r_7 * (HALVING_D + (r_7 * HALVING_E))))))));
+    return ((1.0 + (r_7 * series)) * asfloat((asuint((EXPONENT_BIAS - n_7)) << 23u)));
+}
+
+// Returns two nodes of the rule, mirror images within the window.
+float footprint_pair(FootprintWindow window, float part, float sine_1)
+{
+    float rest_8 = (1.0 - part);
+    float low_1 = (window.start + (window.span * part));
+    float high_1 = (window.start + (window.span * rest_8));
+    float lesser = (window.share * part);
+    float greater = (window.share * rest_8);
+    const float _e23 = halving_square(low_1);
+    float first_10 = (sqrt(((window.near + lesser) * (window.far + greater))) * _e23);
+    const float _e31 = halving_square(high_1);
+    float second_7 = (sqrt(((window.near + greater) * (window.far + lesser))) * _e31);
+    return (sine_1 * (first_10 + second_7));
+}
+
+// Returns the half width of an ellipse across the tangent; half axes, cosine of the angle from the
+// first to the tangent.
+//
+// For |cos_phi| up to 1.
+float footprint_half_width(float a_first, float a_second, float cos_phi)
+{
+    float sine_squared = max(((1.0 - cos_phi) * (1.0 + cos_phi)), 0.0);
+    float along_4 = (a_second * cos_phi);
+    return sqrt((((a_first * a_first) * sine_squared) + (along_4 * along_4)));
+}
+
+// Returns the mean over an ellipse of exp(-s_b^2/sigma^2) for an infinite scratch, to f32 grade of
+// its largest value.
+//
+// Half width H of the ellipse across the scratch and `edge` = H - |C| with C the scratch's offset
+// from the centre, both
+// over sigma: the caller may know the edge better than the difference of two rounded numbers. Any H
+// >= 0.
+float footprint_mean_reduced(float half_width_1, float edge_1)
+{
+    const FootprintWindow _e2 = footprint_window(half_width_1, edge_1);
+    const float _e5 = footprint_pair(_e2, FOOTPRINT_NODE_A, FOOTPRINT_NODE_SINE_A);
+    const float _e8 = footprint_pair(_e2, FOOTPRINT_NODE_B, FOOTPRINT_NODE_SINE_B);
+    const float _e11 = footprint_pair(_e2, FOOTPRINT_NODE_C, FOOTPRINT_NODE_SINE_C);
+    const float _e14 = footprint_pair(_e2, FOOTPRINT_NODE_D, FOOTPRINT_NODE_SINE_D);
+    const float _e17 = footprint_pair(_e2, FOOTPRINT_NODE_E, FOOTPRINT_NODE_SINE_E);
+    const float _e20 = footprint_pair(_e2, FOOTPRINT_NODE_F, FOOTPRINT_NODE_SINE_F);
+    const float _e23 = footprint_pair(_e2, FOOTPRINT_NODE_G, FOOTPRINT_NODE_SINE_G);
+    const float _e26 = footprint_pair(_e2, FOOTPRINT_NODE_H, FOOTPRINT_NODE_SINE_H);
+    const float _e29 = footprint_pair(_e2, FOOTPRINT_NODE_I, FOOTPRINT_NODE_SINE_I);
+    float outer_3 = ((_e5 + _e8) + (_e11 + _e14));
+    float inner_2 = (((_e29 + _e26) + (_e23 + _e20)) + _e17);
+    return ((_e2.share * FOOTPRINT_SHARE) * (outer_3 + inner_2));
+}
+
+// Returns a polynomial of degree 5.
+float footprint_quintic(float w, float a_5, float b_7, float c_2, float d, float e, float f)
+{
+    float upper_3 = (c_2 + (w * (d + (w * (e + (w * f))))));
+    return (a_5 + (w * (b_7 + (w * upper_3))));
+}
+
+// Returns [`footprint_mean_reduced`] to 1e-3.
+//
+// One exponential and one root: of a narrow ellipse, of one edge, or of the middle of a wide
+// ellipse.
+float footprint_mean_reduced_coarse(float half_width_2, float edge_2)
+{
+    float d_10 = max(edge_2, -3.05);
+    bool is_narrow = (half_width_2 < FOOTPRINT_WIDE_LIMIT);
+    bool is_interior = (edge_2 >= FOOTPRINT_INTERIOR_LIMIT);
+    float narrow = min(half_width_2, FOOTPRINT_WIDE_LIMIT);
+    float offset_6 = (narrow - d_10);
+    float spread = (2.0 / (2.0 + (narrow * narrow)));
+    float v_12 = (0.5 * ((narrow * narrow) * spread));
+    float u_13 = (v_12 * v_12);
+    float w_5 = (2.0 * ((offset_6 * offset_6) * spread));
+    const float _e31 = footprint_quintic(w_5, FOOTPRINT_NARROW_A, FOOTPRINT_NARROW_B, FOOTPRINT_NARROW_C, FOOTPRINT_NARROW_D, FOOTPRINT_NARROW_E, FOOTPRINT_NARROW_F);
+    const float _e38 = footprint_quintic(w_5, FOOTPRINT_NARROW_G, FOOTPRINT_NARROW_H, FOOTPRINT_NARROW_I, FOOTPRINT_NARROW_J, FOOTPRINT_NARROW_K, FOOTPRINT_NARROW_L);
+    const float _e45 = footprint_quintic(w_5, FOOTPRINT_NARROW_M, FOOTPRINT_NARROW_N, FOOTPRINT_NARROW_O, FOOTPRINT_NARROW_P, FOOTPRINT_NARROW_Q, FOOTPRINT_NARROW_R);
+    float excess = ((0.5 * w_5) + (u_13 * (_e31 + (u_13 * (_e38 + (u_13 * _e45))))));
+    float wide = min(max(half_width_2, FOOTPRINT_WIDE_LIMIT), FOOTPRINT_MOST_LIMIT);
+    float inverse_4 = (1.0 / wide);
+    float far_1 = (((wide - d_10) + wide) * inverse_4);
+    float near_5 = (d_10 * inverse_4);
+    float t_4 = min(d_10, FOOTPRINT_INTERIOR_LIMIT);
+    float upper_4 = (FOOTPRINT_EDGE_C + (t_4 * (FOOTPRINT_EDGE_D + (t_4 * (FOOTPRINT_EDGE_E + (t_4 * FOOTPRINT_EDGE_F))))));
+    float decay = (FOOTPRINT_EDGE_A + (t_4 * (FOOTPRINT_EDGE_B + (t_4 * upper_4))));
+    float slope_1 = (FOOTPRINT_EDGE_SLOPE_A + (t_4 * (FOOTPRINT_EDGE_SLOPE_B + (t_4 * FOOTPRINT_EDGE_SLOPE_C))));
+    float edged = (decay + (slope_1 * (inverse_4 / far_1)));
+    float exponent_1 = (is_narrow ? excess : (is_interior ? 0.0 : edged));
+    float under_root = (is_narrow ? spread : (is_interior ? (near_5 * far_1) : (far_1 * inverse_4)));
+    float bend_3 = (1.0 / (d_10 * far_1));
+    float z = (bend_3 * bend_3);
+    float middle_5 = (inverse_4 * (1.1283792 - (z * (0.2820948 + (0.1410474 * z)))));
+    float height_3 = (is_narrow ? 1.0 : (is_interior ? middle_5 : inverse_4));
+    const float _e117 = exponential(-(exponent_1));
+    float value_10 = ((sqrt(under_root) * height_3) * _e117);
+    return ((edge_2 < FOOTPRINT_OUTSIDE_LIMIT) ? 0.0 : value_10);
+}
+
+// Returns the mean over an ellipse of exp(-s_b^2/sigma^2) for an infinite scratch at an offset;
+// lengths in one unit.
+//
+// Half axes and angle as in [`footprint_half_width`]. Wide ellipses lose what the rounding of the
+// half width costs the
+// distance of the edge.
+float footprint_mean(float a_first_1, float a_second_1, float cos_phi_1, float offset_3, float radius_13)
+{
+    const float _e5 = footprint_half_width(a_first_1, a_second_1, cos_phi_1);
+    float inverse_5 = (1.0 / radius_13);
+    const float _e12 = footprint_mean_reduced((_e5 * inverse_5), ((_e5 - abs(offset_3)) * inverse_5));
+    return _e12;
+}
+
+// Returns [`footprint_mean`] to 1e-3.
+float footprint_mean_coarse(float a_first_2, float a_second_2, float cos_phi_2, float offset_4, float radius_14)
+{
+    const float _e5 = footprint_half_width(a_first_2, a_second_2, cos_phi_2);
+    float inverse_6 = (1.0 / radius_14);
+    const float _e12 = footprint_mean_reduced_coarse((_e5 * inverse_6), ((_e5 - abs(offset_4)) * inverse_6));
+    return _e12;
+}
+
+// Returns 2 artanh s, for |s| <= 0.172, to f32 grade.
+float artanh_twice(float s_1)
+{
+    float u_14 = (s_1 * s_1);
+    float series_1 = (u_14 * (ARTANH_A + (u_14 * (ARTANH_B + (u_14 * ARTANH_C)))));
+    return ((s_1 + s_1) + (s_1 * series_1));
+}
+
+// Returns ln x for a normal x > 0, to f32 grade.
+float natural_log(float x_19)
+{
+    uint bits_2 = asuint(x_19);
+    float fraction_1 = asfloat(((bits_2 & 8388607u) | 1056964608u));
+    bool small_2 = (fraction_1 < INVERSE_ROOT_TWO);
+    float m_10 = (small_2 ? (fraction_1 + fraction_1) : fraction_1);
+    float e_3 = (float((bits_2 >> 23u)) - (small_2 ? 127.0 : 126.0));
+    const float _e27 = artanh_twice(((m_10 - 1.0) / (m_10 + 1.0)));
+    return ((e_3 * LN_TWO_HIGH) + ((e_3 * LN_TWO_LOW) + _e27));
+}
+
+// Returns ln(1 - a) for 0 <= a < 1, to f32 grade also for the smallest a.
+float log_one_minus(float a_6)
+{
+    float bounded_8 = min(a_6, 0.29);
+    const float _e7 = artanh_twice((-(bounded_8) / (2.0 - bounded_8)));
+    const float _e12 = natural_log(max((1.0 - a_6), SHARE_SMALLEST_LIMIT));
+    return ((a_6 < 0.29) ? _e7 : _e12);
+}
+
+// Returns the angle of (x, y) from the first axis, for y >= 0: from 0 to pi, to f32 grade.
+float angle_from_axis(float x_20, float y_5)
+{
+    float size_3 = abs(x_20);
+    float low_2 = min(size_3, y_5);
+    float high_2 = max(size_3, y_5);
+    bool split = (low_2 > (TANGENT_SPLIT * high_2));
+    float t_5 = ((split ? (low_2 - high_2) : low_2) / (split ? (low_2 + high_2) : high_2));
+    float u_15 = (t_5 * t_5);
+    float series_2 = (u_15 * (ARCTANGENT_A + (u_15 * (ARCTANGENT_B + (u_15 * (ARCTANGENT_C + (u_15 * ARCTANGENT_D)))))));
+    float eighth = ((t_5 - (t_5 * series_2)) + (split ? QUARTER_PI : 0.0));
+    float quarter = ((y_5 > size_3) ? (HALF_PI - eighth) : eighth);
+    return ((x_20 < 0.0) ? (ARC_PI - quarter) : quarter);
+}
+
+// Returns the y at which int_-inf^y exp(-t^2) dt/sqrt(pi) is `u`, for 0 <= u < 1.
+//
+// Below 2^-25 it stays. The polynomials are those of Giles 2010, "Approximating the erfinv
+// function", Table 5.
+float gaussian_inverse(float u_1)
+{
+    float share = max(u_1, SHARE_SMALLEST_LIMIT);
+    float x_21 = ((share + share) - 1.0);
+    float tail_5 = min(share, (1.0 - share));
+    const float _e10 = log_one_minus((x_21 * x_21));
+    float middle_6 = -(_e10);
+    const float _e12 = natural_log(tail_5);
+    const float _e14 = log_one_minus(tail_5);
+    float outer_4 = -((_e12 + (1.3862944 + _e14)));
+    float v_13 = ((abs(x_21) > 0.5) ? outer_4 : middle_6);
+    float c_7 = (v_13 - 2.5);
+    float upper_centre = (0.00021858087 + (c_7 * (-4.3915065e-6 + (c_7 * (-3.5233877e-6 + (c_7 * (3.4327394e-7 + (c_7 * 2.8102264e-8))))))));
+    float centre_5 = (1.5014094 + (c_7 * (0.24664073 + (c_7 * (-0.0041776816 + (c_7 * (-0.001253725 + (c_7 * upper_centre))))))));
+    float d_11 = (sqrt(max(v_13, 0.0)) - 3.0);
+    float upper_far = (-0.0036734284 + (d_11 * (0.0013493432 + (d_11 * (0.00010095056 + (d_11 * -0.00020021426))))));
+    float far_2 = (2.8329768 + (d_11 * (1.001674 + (d_11 * (0.00943887 + (d_11 * (-0.007622461 + (d_11 * (0.0057395077 + (d_11 * upper_far))))))))));
+    return (x_21 * ((v_13 >= 5.0) ? far_2 : centre_5));
+}
+
+// Returns k sigma.
+float lobe_reduced_radius(float radius_15, float wavelength_17)
+{
+    return (TWO_PI * (radius_15 / wavelength_17));
+}
+
+// Returns the density of the base lobe, in 1/sr: a Gaussian of direction cosines.
+//
+// Radius of the coherence window and wavelength in um; incident and outgoing direction by
+// components along tangent (t),
+// bitangent (b) and normal (n), away from the surface; the incident one above it. 0 for an outgoing
+// one below it.
+float base_lobe_pdf(float radius_16, float wavelength_18, float incident_t, float incident_b, float outgoing_t, float outgoing_b, float outgoing_n)
+{
+    const float _e7 = lobe_reduced_radius(radius_16, wavelength_18);
+    float x_22 = (_e7 * (incident_t + outgoing_t));
+    float y_14 = (_e7 * (incident_b + outgoing_b));
+    const float _e16 = exponential(-(((x_22 * x_22) + (y_14 * y_14))));
+    float height_4 = (_e16 * INVERSE_PI);
+    return ((outgoing_n <= 0.0) ? 0.0 : (_e7 * (_e7 * (height_4 * outgoing_n))));
+}
+
+SampledDirection ConstructSampledDirection(float arg0, float arg1, float arg2, float arg3) {
+    SampledDirection ret = (SampledDirection)0;
+    ret.x = arg0;
+    ret.y = arg1;
+    ret.z = arg2;
+    ret.pdf = arg3;
+    return ret;
+}
+
+// Returns a direction of the base lobe from two random numbers of \[0, 1); density 0 for an
+// evanescent draw.
+SampledDirection base_lobe_sample(float radius_17, float wavelength_19, float incident_t_1, float incident_b_1, float first_6, float second)
+{
+    const float _e6 = lobe_reduced_radius(radius_17, wavelength_19);
+    const float _e7 = log_one_minus(first_6);
+    float size_4 = (sqrt(-(_e7)) / _e6);
+    const SineCosine _e11 = sine_cosine_turns(second);
+    float x_23 = ((size_4 * _e11.cosine) - incident_t_1);
+    float y_15 = ((size_4 * _e11.sine) - incident_b_1);
+    float z_1 = sqrt(max((((1.0 - x_23) * (1.0 + x_23)) - (y_15 * y_15)), 0.0));
+    const float _e28 = base_lobe_pdf(radius_17, wavelength_19, incident_t_1, incident_b_1, x_23, y_15, z_1);
+    const SampledDirection sampleddirection = ConstructSampledDirection(x_23, y_15, z_1, _e28);
+    return sampleddirection;
+}
+
+// Returns the Lorentzian's angle over the directions that propagate, from c (b - g) to c (b + g).
+float lobe_lorentz_angle(float c_3, float b_8, float g)
+{
+    float low_3 = (c_3 * (b_8 - g));
+    float high_3 = (c_3 * (b_8 + g));
+    const float _e12 = angle_from_axis((1.0 + (low_3 * high_3)), (c_3 * (g + g)));
+    return _e12;
+}
+
+// Returns the density of the lobe of a scratch, in 1/sr: a Gaussian along it, a Lorentzian across.
+//
+// Radius, wavelength and width in um; directions as in [`base_lobe_pdf`].
+float scratch_lobe_pdf(float radius_18, float wavelength_20, float width_9, float incident_t_2, float incident_b_2, float outgoing_t_1, float outgoing_b_1, float outgoing_n_1)
+{
+    const float _e8 = lobe_reduced_radius(radius_18, wavelength_20);
+    float c_8 = (ARC_PI * (width_9 / wavelength_20));
+    float along_5 = (_e8 * (incident_t_2 + outgoing_t_1));
+    float x_24 = (c_8 * (incident_b_2 + outgoing_b_1));
+    float g_1 = sqrt(((outgoing_b_1 * outgoing_b_1) + (outgoing_n_1 * outgoing_n_1)));
+    const float _e20 = lobe_lorentz_angle(c_8, incident_b_2, g_1);
+    float curved = (c_8 / (_e20 * (1.0 + (x_24 * x_24))));
+    float across_6 = ((c_8 < LOBE_NARROW_LIMIT) ? (0.5 / g_1) : curved);
+    const float _e33 = exponential(-((along_5 * along_5)));
+    float gaussian = (_e8 * (_e33 * INVERSE_ROOT_PI));
+    return ((outgoing_n_1 <= 0.0) ? 0.0 : (gaussian * (across_6 * outgoing_n_1)));
+}
+
+// Returns a direction of the lobe of a scratch from two random numbers of \[0, 1); density 0 for an
+// evanescent draw.
+SampledDirection scratch_lobe_sample(float radius_19, float wavelength_21, float width_10, float incident_t_3, float incident_b_3, float first_7, float second_1)
+{
+    const float _e7 = lobe_reduced_radius(radius_19, wavelength_21);
+    float c_9 = (ARC_PI * (width_10 / wavelength_21));
+    const float _e11 = gaussian_inverse(first_7);
+    float x_25 = ((_e11 / _e7) - incident_t_3);
+    float g_2 = sqrt(max(((1.0 - x_25) * (1.0 + x_25)), 0.0));
+    float b_10 = abs(incident_b_3);
+    bool mirrored = (incident_b_3 < 0.0);
+    float u_16 = (mirrored ? second_1 : (1.0 - second_1));
+    float far_3 = (c_9 * (b_10 + g_2));
+    const float _e30 = lobe_lorentz_angle(c_9, b_10, g_2);
+    const SineCosine _e32 = sine_cosine((u_16 * _e30));
+    float curved_1 = ((_e32.sine * (1.0 + (far_3 * far_3))) / (c_9 * (_e32.cosine + (far_3 * _e32.sine))));
+    float from_end = ((c_9 < LOBE_NARROW_LIMIT) ? (u_16 * (g_2 + g_2)) : curved_1);
+    float beta = (g_2 - from_end);
+    float y_16 = (mirrored ? -(beta) : beta);
+    float z_2 = sqrt(max((from_end * ((g_2 + g_2) - from_end)), 0.0));
+    const float _e58 = scratch_lobe_pdf(radius_19, wavelength_21, width_10, incident_t_3, incident_b_3, x_25, y_16, z_2);
+    const SampledDirection sampleddirection_1 = ConstructSampledDirection(x_25, y_16, z_2, _e58);
+    return sampleddirection_1;
+}
+
+// Returns 1 - e^(-2 kappa), relatively accurate, for kappa >= 0.
+float cone_mass(float concentration)
+{
+    float z_3 = (concentration + concentration);
+    float upper_5 = (0.008333334 - (z_3 * (0.0013888889 - (z_3 * (0.0001984127 - (z_3 * 2.4801588e-5))))));
+    float series_3 = (z_3 * (0.5 - (z_3 * (0.16666667 - (z_3 * (0.041666668 - (z_3 * upper_5)))))));
+    const float _e24 = exponential(-(z_3));
+    return ((z_3 < 0.5) ? (z_3 - (z_3 * series_3)) : (1.0 - _e24));
+}
+
+// Returns the density of the published cone of a scratch, in 1/sr (WVJH17 section 5), for a
+// concentration >= 0.
+//
+// Directions as in [`base_lobe_pdf`].
+float scratch_cone_pdf(float concentration_1, float incident_t_4, float incident_b_4, float incident_n, float outgoing_t_2, float outgoing_b_2, float outgoing_n_2)
+{
+    float across_in = sqrt(((incident_b_4 * incident_b_4) + (incident_n * incident_n)));
+    float across_out = sqrt(((outgoing_b_2 * outgoing_b_2) + (outgoing_n_2 * outgoing_n_2)));
+    float sum_2 = (incident_t_4 + outgoing_t_2);
+    float difference_1 = (across_in - across_out);
+    float decay_1 = ((0.5 * concentration_1) * ((sum_2 * sum_2) + (difference_1 * difference_1)));
+    const float _e23 = cone_mass(concentration_1);
+    float peak = ((concentration_1 < LOBE_UNIFORM_LIMIT) ? 0.5 : (concentration_1 / _e23));
+    const float _e31 = bessel_i0_scaled((concentration_1 * (across_in * across_out)));
+    const float _e33 = exponential(-(decay_1));
+    float density_3 = (peak * ((_e33 * INVERSE_PI) * _e31));
+    return ((outgoing_n_2 < 0.0) ? 0.0 : density_3);
+}
+
+// Returns a direction of the published cone from three random numbers of \[0, 1).
+SampledDirection scratch_cone_sample(float concentration_2, float incident_t_5, float incident_b_5, float incident_n_1, float first_8, float second_2, float third)
+{
+    const float _e7 = cone_mass(concentration_2);
+    const float _e9 = log_one_minus((first_8 * _e7));
+    float curved_2 = (-(_e9) / concentration_2);
+    float versine = min(((concentration_2 < LOBE_UNIFORM_LIMIT) ? (first_8 + first_8) : curved_2), 2.0);
+    float cosine = (1.0 - versine);
+    float sine_4 = sqrt((versine * (2.0 - versine)));
+    const SineCosine _e24 = sine_cosine_turns(second_2);
+    float s_10 = sqrt(((incident_b_5 * incident_b_5) + (incident_n_1 * incident_n_1)));
+    float turned = (sine_4 * _e24.cosine);
+    float x_26 = (-((incident_t_5 * cosine)) - (s_10 * turned));
+    float across_7 = ((s_10 * cosine) - (incident_t_5 * turned));
+    float beside = (sine_4 * _e24.sine);
+    float reach = sqrt(((across_7 * across_7) + (beside * beside)));
+    const SineCosine _e46 = sine_cosine_turns((0.5 * third));
+    float y_17 = (reach * _e46.cosine);
+    float z_4 = (reach * _e46.sine);
+    const float _e51 = scratch_cone_pdf(concentration_2, incident_t_5, incident_b_5, incident_n_1, x_26, y_17, z_4);
+    const SampledDirection sampleddirection_2 = ConstructSampledDirection(x_26, y_17, z_4, _e51);
+    return sampleddirection_2;
+}
+
+// Returns the balance weight of a strategy with the density `own` beside `others`, for finite
+// densities >= 0.
+//
+// 0 where both are 0.
+float balance_weight(float own, float others)
+{
+    float ratio = (min(own, others) / max(own, others));
+    float larger = (1.0 / (1.0 + ratio));
+    return ((own == 0.0) ? 0.0 : ((own >= others) ? larger : (ratio * larger)));
 }

@@ -37,6 +37,15 @@ const EXPONENTIAL_B: f32 = 0.16666518f;
 const EXPONENTIAL_C: f32 = 0.041666202f;
 const EXPONENTIAL_D: f32 = 0.00836896f;
 const EXPONENTIAL_E: f32 = 0.0013950627f;
+// (1 - arctan t/t)/t^2 in t^2; arctan within 5.0e-9.
+const ARCTANGENT_A: f32 = 0.33332753f;
+const ARCTANGENT_B: f32 = -0.199718f;
+const ARCTANGENT_C: f32 = 0.13823614f;
+const ARCTANGENT_D: f32 = -0.07899901f;
+// (2 artanh s/s - 2)/s^2 in s^2; 2 artanh within 1.8e-10.
+const ARTANH_A: f32 = 0.6666682f;
+const ARTANH_B: f32 = 0.39973545f;
+const ARTANH_C: f32 = 0.29962823f;
 // Border of head and tail.
 const SI_BORDER: f32 = 3.0f;
 // (Si(x)/x - 1)/x^2 in x^2; Si within 5.0e-11.
@@ -1431,4 +1440,835 @@ fn erf_difference_scaled_turns(a_from: f32, a_to: f32, b: f32, turns_from: f32, 
 fn erf_difference_scaled(a_from: f32, a_to: f32, b: f32) -> Complex {
     return erf_difference_scaled_turns(a_from, a_to, b, product_turns(a_from, b),
         product_turns(a_to, b));
+}
+
+// ---- turns ----
+// Phases as ratios of lengths: a b/c in turns, whole turns apart, in f32.
+
+// Up to this many turns a sinc is 1 in f32.
+const SINC_TURNS_LIMIT: f32 = 0.00001f;
+
+// A number of turns in two parts, whose sum it is.
+struct Turns {
+    // Whole turns.
+    whole: f32,
+    // What is left of them, half a turn at most but for rounding.
+    rest: f32,
+}
+
+// Returns a b/c in turns.
+//
+// The partial products are exact for |a b/c| to 4096; beyond, the error of the rest grows as 2^-35
+// |a b/c|.
+fn ratio_turns(a: f32, b: f32, c: f32) -> Turns {
+    let whole = round(a * b / c);
+    let a_high = leading_bits(a);
+    let b_high = leading_bits(b);
+    let c_high = leading_bits(c);
+    let whole_high = leading_bits(whole);
+    let leading = min(max(a_high * b_high - whole_high * c_high, -PHASE_LIMIT), PHASE_LIMIT);
+    let given = a_high * (b - b_high) + (a - a_high) * b;
+    let taken = whole_high * (c - c_high) + (whole - whole_high) * c;
+    return Turns(whole, (leading + (given - taken)) / c);
+}
+
+// Returns sin(2 pi t)/(2 pi t) from t and from its sine.
+fn sinc_turns(turns: Turns, sine: f32) -> f32 {
+    let total = turns.whole + turns.rest;
+    return select(sine / (TWO_PI * total), 1.0f, abs(total) < SINC_TURNS_LIMIT);
+}
+
+// ---- profile ----
+// Profiles across a scratch in f32: the transforms of rectangle and triangle, and the depth term.
+// Sources named: VWH18 Eq. 3, WVJH17 Eq. 20, WVJH17 Eq. 29, WVJH17 Eqs. 9.
+
+// Half phases of depth and width, in turns and together, up to which a triangle is shallow: phases
+// of 1.75 radians.
+const TRIANGLE_SHALLOW_LIMIT: f32 = 0.13926058f;
+
+// Returns W sinc(pi W xi/lambda), in the unit of the width (VWH18 Eq. 3).
+fn width_term(width: f32, xi_b: f32, wavelength: f32) -> f32 {
+    let halves = ratio_turns(width, xi_b, wavelength + wavelength);
+    return width * sinc_turns(halves, sine_cosine_turns(halves.rest).sine);
+}
+
+// Returns the sine and cosine of half the phase of the depth, pi gamma D/lambda; both may have the
+// other sign.
+fn depth_half_phase(depth: f32, gamma_sum: f32, wavelength: f32) -> SineCosine {
+    return sine_cosine_turns(0.5f * ratio_turns(depth, gamma_sum, wavelength).rest);
+}
+
+// Returns 1 - exp(2 pi i (gamma_i + gamma_o) D/lambda), dimensionless (WVJH17 Eq. 20).
+fn depth_term(depth: f32, gamma_sum: f32, wavelength: f32) -> Complex {
+    let phase = depth_half_phase(depth, gamma_sum, wavelength);
+    let twice = phase.sine + phase.sine;
+    return Complex(twice * phase.sine, -(twice * phase.cosine));
+}
+
+// Returns |1 - exp(2 pi i (gamma_i + gamma_o) D/lambda)|^2, from 0 to 4.
+fn depth_term_squared(depth: f32, gamma_sum: f32, wavelength: f32) -> f32 {
+    let phase = depth_half_phase(depth, gamma_sum, wavelength);
+    let twice = phase.sine + phase.sine;
+    return twice * twice;
+}
+
+// Returns W sinc(pi W xi/lambda) (1 - exp(2 pi i (gamma_i + gamma_o) D/lambda)), in the unit of the
+// width: mask less
+// scratch of a rectangle (VWH18 Eq. 3).
+fn profile_rectangle(width: f32, depth: f32, xi_b: f32, gamma_sum: f32, wavelength: f32) -> Complex
+    {
+    let across = width_term(width, xi_b, wavelength);
+    let deep = depth_term(depth, gamma_sum, wavelength);
+    return Complex(across * deep.re, across * deep.im);
+}
+
+// The two sinc of a triangle, at the half sum a and the half difference b of the phases of depth
+// and width.
+struct TriangleFlanks {
+    // sinc a, times half the width.
+    sinc_a: f32,
+    // sinc b, times half the width.
+    sinc_b: f32,
+    // Sine and cosine of a.
+    a: SineCosine,
+    // Sine and cosine of b.
+    b: SineCosine,
+    // Half the phase of the depth, (a + b)/2, in turns.
+    deep: f32,
+    // Half the phase of the width, (a - b)/2, in turns.
+    across: f32,
+}
+
+// Returns the two sinc of a triangle.
+fn triangle_flanks(width: f32, depth: f32, xi_b: f32, gamma_sum: f32, wavelength: f32) ->
+    TriangleFlanks {
+    let twice = wavelength + wavelength;
+    let deep = ratio_turns(depth, gamma_sum, twice);
+    let across = ratio_turns(width, xi_b, twice + twice);
+    let sum = Turns(deep.whole + across.whole, deep.rest + across.rest);
+    let difference = Turns(deep.whole - across.whole, deep.rest - across.rest);
+    let a = sine_cosine_turns(sum.rest);
+    let b = sine_cosine_turns(difference.rest);
+    let halved = 0.5f * width;
+    return TriangleFlanks(halved * sinc_turns(sum, a.sine), halved * sinc_turns(difference, b.sine),
+        a, b, deep.whole + deep.rest, across.whole + across.rest);
+}
+
+// Returns the transform of a triangular groove alone, without its mask, in the unit of the width
+// (WVJH17 Eq. 29).
+//
+// Two sinc, each the other's phase: no poles.
+fn profile_triangle(width: f32, depth: f32, xi_b: f32, gamma_sum: f32, wavelength: f32) -> Complex {
+    let flanks = triangle_flanks(width, depth, xi_b, gamma_sum, wavelength);
+    return Complex(flanks.sinc_a * flanks.b.cosine + flanks.sinc_b * flanks.a.cosine, flanks.sinc_a
+        * flanks.b.sine + flanks.sinc_b * flanks.a.sine);
+}
+
+// Returns (1 - exp(i p (1 - u))) cos(w u) at one u, for half phases p/2 and w/2.
+fn triangle_shallow_node(deep: f32, across: f32, u: f32) -> Complex {
+    let phase = sine_cosine_near(deep * (1.0f - u));
+    let height = 2.0f * (phase.sine * sine_cosine_near((across + across) * u).cosine);
+    return Complex(height * phase.sine, -(height * phase.cosine));
+}
+
+// Returns the response of a triangular groove, mask less scratch, in the unit of the width (WVJH17
+// Eqs. 9 and 29).
+//
+// The difference of mask and [`profile_triangle`] in a deep groove, its own two sinc in a wide one,
+// and a Gauss rule of
+// four points where both phases are small: a shallow groove keeps its digits.
+fn response_triangle(width: f32, depth: f32, xi_b: f32, gamma_sum: f32, wavelength: f32) -> Complex
+    {
+    let flanks = triangle_flanks(width, depth, xi_b, gamma_sum, wavelength);
+    let mask = width_term(width, xi_b, wavelength);
+    let slope = flanks.deep / flanks.across;
+    let is_wide = abs(flanks.deep) <= abs(flanks.across);
+    let a_re = flanks.sinc_a * flanks.b.cosine;
+    let a_im = flanks.sinc_a * flanks.b.sine;
+    let b_re = flanks.sinc_b * flanks.a.cosine;
+    let b_im = flanks.sinc_b * flanks.a.sine;
+    let re = select(mask - (a_re + b_re), slope * (a_re - b_re), is_wide);
+    let im = select(-(a_im + b_im), slope * (a_im - b_im), is_wide);
+    let deep = min(max(TWO_PI * flanks.deep, -0.875f), 0.875f);
+    let across = min(max(TWO_PI * flanks.across, -0.875f), 0.875f);
+    let is_shallow = abs(flanks.deep) + abs(flanks.across) <= TRIANGLE_SHALLOW_LIMIT;
+    let n = triangle_shallow_node(deep, across, 0.06943184f);
+    let o = triangle_shallow_node(deep, across, 0.33000946f);
+    let p = triangle_shallow_node(deep, across, 0.66999054f);
+    let q = triangle_shallow_node(deep, across, 0.93056816f);
+    let outer_re = 0.17392743f * (n.re + q.re);
+    let outer_im = 0.17392743f * (n.im + q.im);
+    let inner_re = 0.32607257f * (o.re + p.re);
+    let inner_im = 0.32607257f * (o.im + p.im);
+    return Complex(select(re, width * (outer_re + inner_re), is_shallow), select(im, width *
+        (outer_im + inner_im), is_shallow));
+}
+
+// ---- spatial_phase ----
+// The spatial phase eta of a scratch, the coherence window and the base response, in f32.
+// Sources named: VWH18 Eq. 17, VWH18 Eq. 5, VWH18 Eq. 8, VWH18 Eq. 9, WVJH17 Eq. 13, WVJH17 Eq. 16.
+
+// 1/sqrt(2).
+const INVERSE_ROOT_TWO: f32 = 0.70710677f;
+// sqrt(2) pi.
+const ROOT_TWO_TIMES_PI: f32 = 4.442883f;
+// 1/sqrt(2 pi).
+const INVERSE_ROOT_TWO_PI: f32 = 0.3989423f;
+// sqrt(pi/2).
+const ROOT_HALF_PI: f32 = 1.2533141f;
+// sqrt(2 pi).
+const ROOT_TWO_PI: f32 = 2.5066283f;
+
+// Returns a place over a radius, 0 of 0.
+fn in_radii(place: f32, radius: f32) -> f32 {
+    return select(place / radius, place, place == 0.0f);
+}
+
+// Returns exp(-r^2/(2 sigma^2)), the coherence window at a distance (WVJH17 Eq. 13).
+fn coherence_window(offset: f32, radius: f32) -> f32 {
+    let r = in_radii(offset, radius);
+    return exponential(-0.5f * (r * r));
+}
+
+// Returns the share of the window's amplitude on one infinite scratch at a distance: 1 for a full
+// coverage (VWH18 Eq. 17,
+// normalised). [`area_density`](super::area_density) is the share of its energy.
+fn area_density_amplitude(width: f32, offset: f32, radius: f32) -> f32 {
+    let r = offset / radius;
+    return (INVERSE_ROOT_TWO_PI * (width / radius)) * exponential(-0.5f * (r * r));
+}
+
+// Returns sigma k xi, the direction cosine in widths of the transformed window.
+fn window_cosine(radius: f32, wavelength: f32, xi: f32) -> f32 {
+    return (TWO_PI * radius) * (xi / wavelength);
+}
+
+// Returns a modulus times exp(-2 pi i a b/c), 0 where the modulus is 0.
+fn turned_back(modulus: f32, a: f32, b: f32, c: f32) -> Complex {
+    let phase = sine_cosine_turns(select(ratio_turns(a, b, c).rest, 0.0f, modulus == 0.0f));
+    return Complex(modulus * phase.cosine, -(modulus * phase.sine));
+}
+
+// Returns eta of a finite scratch, in the unit of the lengths (VWH18 Eq. 5).
+//
+// `radius` is sigma, `s_t` and `s_b` the scratch's origin along and across it from the shaded
+// point, `l_from` and `l_to`
+// its ends from the origin, infinite ones allowed; `xi_t` and `xi_b` the scattering vector along
+// and across.
+fn spatial_phase(radius: f32, wavelength: f32, xi_t: f32, xi_b: f32, s_t: f32, s_b: f32, l_from:
+    f32, l_to: f32) -> Complex {
+    let height = (ROOT_TWO_TIMES_PI * radius) * (xi_t / wavelength);
+    let origin = ratio_turns(s_t, xi_t, wavelength).rest;
+    let along = erf_difference_scaled_turns(INVERSE_ROOT_TWO * in_radii(s_t + l_from, radius),
+        INVERSE_ROOT_TWO * in_radii(s_t + l_to, radius), height, origin + ratio_turns(l_from, xi_t,
+        wavelength).rest, origin + ratio_turns(l_to, xi_t, wavelength).rest);
+    let across = turned_back((ROOT_HALF_PI * radius) * coherence_window(s_b, radius), s_b, xi_b,
+        wavelength);
+    return Complex(along.re * across.re - along.im * across.im, along.re * across.im + along.im *
+        across.re);
+}
+
+// Returns eta of an infinite scratch at the distance `s_b` (VWH18 Eq. 8).
+fn spatial_phase_infinite(radius: f32, wavelength: f32, xi_t: f32, xi_b: f32, s_b: f32) -> Complex {
+    let r = in_radii(s_b, radius);
+    let q = window_cosine(radius, wavelength, xi_t);
+    let modulus = (ROOT_TWO_PI * radius) * exponential(-0.5f * (r * r + q * q));
+    return turned_back(modulus, s_b, xi_b, wavelength);
+}
+
+// Returns |eta|^2 of an infinite scratch at the distance `s_b` (VWH18 Eq. 9).
+fn spatial_phase_infinite_squared(radius: f32, wavelength: f32, xi_t: f32, s_b: f32) -> f32 {
+    let r = in_radii(s_b, radius);
+    let q = window_cosine(radius, wavelength, xi_t);
+    return ((TWO_PI * radius) * radius) * exponential(-(r * r + q * q));
+}
+
+// Returns 2 pi sigma^2 exp(-(sigma k |xi|)^2/2), the transform of the window (WVJH17 Eq. 16).
+fn base_response(radius: f32, wavelength: f32, xi_t: f32, xi_b: f32) -> f32 {
+    let along = window_cosine(radius, wavelength, xi_t);
+    let across = window_cosine(radius, wavelength, xi_b);
+    return ((TWO_PI * radius) * radius) * exponential(-0.5f * (along * along + across * across));
+}
+
+// ---- reflectance ----
+// From the responses of scratches to a reflectance, in f32: coherent, incoherent, blended with the
+// base.
+// Sources named: VWH18 Eqs. 6, VWH18 Eq. 1, VWH18 Eqs. 9.
+
+
+// Returns the share of the window's energy on one infinite scratch at a distance: 1 for a full
+// coverage.
+fn area_density(width: f32, offset: f32, radius: f32) -> f32 {
+    let r = offset / radius;
+    return (INVERSE_ROOT_PI * (width / radius)) * exponential(-(r * r));
+}
+
+// Returns 1 - rho, the factor of the scratches' incoherent reflectance; a density above 1 counts as
+// 1.
+fn energy_blend_scratches(density: f32) -> f32 {
+    return select(1.0f - density, 0.0f, density > 1.0f);
+}
+
+// Returns rho (1 - rho) times the squared depth term, the energy that scratches of an area density
+// rho scatter: no factor.
+//
+// A density above 1 counts as 1.
+fn energy_blend_scattered(density: f32, depth_squared: f32) -> f32 {
+    return (density * energy_blend_scratches(density)) * depth_squared;
+}
+
+// Returns 1 - rho (1 - rho) times the squared depth term of the mirror direction, the factor of the
+// base's reflectance.
+fn energy_blend_base(density: f32, depth_squared: f32) -> f32 {
+    return 1.0f - energy_blend_scattered(density, depth_squared);
+}
+
+// Returns the sum of |S|^2 over A_C lambda^2, in 1/sr (VWH18 Eqs. 6 and 7).
+fn reflectance_incoherent(radius: f32, wavelength: f32, squared_sum: f32) -> f32 {
+    let size = radius * wavelength;
+    return squared_sum / (ARC_PI * (size * size));
+}
+
+// Returns |B - S|^2/(A_C lambda^2), in 1/sr (VWH18 Eq. 1; Fresnel factor apart).
+fn reflectance_coherent(radius: f32, wavelength: f32, base: f32, scratches_re: f32, scratches_im:
+    f32) -> f32 {
+    let re = base - scratches_re;
+    return reflectance_incoherent(radius, wavelength, re * re + scratches_im * scratches_im);
+}
+
+// Returns the mean |S|^2 of an infinite rectangular scratch over a footprint, in the fourth power
+// of the lengths' unit.
+//
+// `mean` is that of the footprint, `footprint_mean`, or exp(-s_b^2/sigma^2) at a point (VWH18 Eqs.
+// 9 and 16).
+fn scratch_squared(radius: f32, wavelength: f32, width: f32, depth: f32, xi_t: f32, xi_b: f32,
+    gamma_sum: f32, mean: f32) -> f32 {
+    let across = width_term(width, xi_b, wavelength);
+    let deep = depth_term_squared(depth, gamma_sum, wavelength);
+    let q = window_cosine(radius, wavelength, xi_t);
+    let along = ((TWO_PI * radius) * radius) * exponential(-(q * q));
+    return ((across * across) * deep) * (along * mean);
+}
+
+// ---- interference ----
+// What the sum of squares leaves out, in f32: the interference of scratches with the base, and
+// their crossings.
+// Sources named: VWH18 Eq. 6, WVJH17 4.2.
+
+
+// Returns -2 Re(B S), the interference of base and scratches: |B - S|^2 less |B|^2 + |S|^2 (VWH18
+// Eq. 6, corrected).
+//
+// `base` is B, which is real in the frame of the shaded point, `scratches_re` the real part of the
+// sum of all S.
+fn base_interference(base: f32, scratches_re: f32) -> f32 {
+    return -2.0f * (base * scratches_re);
+}
+
+// Returns a product of two complex numbers.
+fn complex_product(a: Complex, b: Complex) -> Complex {
+    return Complex(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re);
+}
+
+// Returns what two crossing rectangular scratches lack in B - S1 - S2, in the square of the
+// lengths' unit: the product of
+// the depth terms times the transform of the overlap. No paper has it; WVJH17 4.2 neglects it.
+//
+// Width, depth and unit tangent of the two scratches, the place where their centre lines meet
+// relative to the shaded
+// point, and the scattering vector, all in the same axes of the surface. No result for parallel
+// scratches.
+fn crossing_response(radius: f32, wavelength: f32, first_width: f32, first_depth: f32, second_width:
+    f32, second_depth: f32, first_x: f32, first_y: f32, second_x: f32, second_y: f32, crossing_x:
+    f32, crossing_y: f32, xi_x: f32, xi_y: f32, gamma_sum: f32) -> Complex {
+    let sine = first_x * second_y - first_y * second_x;
+    let p = (xi_x * second_x + xi_y * second_y) / sine;
+    let q = -(xi_x * first_x + xi_y * first_y) / sine;
+    let overlap = width_term(first_width, p, wavelength) * (width_term(second_width, q, wavelength)
+        / abs(sine));
+    let x = in_radii(crossing_x, radius);
+    let y = in_radii(crossing_y, radius);
+    let window = exponential(-0.5f * (x * x + y * y));
+    let along = turned_back(overlap * window, crossing_x, xi_x, wavelength);
+    let across = turned_back(1.0f, crossing_y, xi_y, wavelength);
+    let deep = complex_product(depth_term(first_depth, gamma_sum, wavelength),
+        depth_term(second_depth, gamma_sum, wavelength));
+    return complex_product(deep, complex_product(along, across));
+}
+
+// ---- footprint_coefficients ----
+// Nodes and coefficients of the f32 mean over a footprint; the letters of nodes count from the near
+// end.
+
+// sin^2 of half the angle of a node; that of its mirror is 1 minus it.
+const FOOTPRINT_NODE_A: f32 = 0.0019026509f;
+// The sine of the angle.
+const FOOTPRINT_NODE_SINE_A: f32 = 0.087155744f;
+// sin^2 of half the angle of a node; that of its mirror is 1 minus it.
+const FOOTPRINT_NODE_B: f32 = 0.017037086f;
+// The sine of the angle.
+const FOOTPRINT_NODE_SINE_B: f32 = 0.25881904f;
+// sin^2 of half the angle of a node; that of its mirror is 1 minus it.
+const FOOTPRINT_NODE_C: f32 = 0.046846107f;
+// The sine of the angle.
+const FOOTPRINT_NODE_SINE_C: f32 = 0.42261827f;
+// sin^2 of half the angle of a node; that of its mirror is 1 minus it.
+const FOOTPRINT_NODE_D: f32 = 0.09042398f;
+// The sine of the angle.
+const FOOTPRINT_NODE_SINE_D: f32 = 0.57357645f;
+// sin^2 of half the angle of a node; that of its mirror is 1 minus it.
+const FOOTPRINT_NODE_E: f32 = 0.14644662f;
+// The sine of the angle.
+const FOOTPRINT_NODE_SINE_E: f32 = 0.70710677f;
+// sin^2 of half the angle of a node; that of its mirror is 1 minus it.
+const FOOTPRINT_NODE_F: f32 = 0.21321177f;
+// The sine of the angle.
+const FOOTPRINT_NODE_SINE_F: f32 = 0.81915206f;
+// sin^2 of half the angle of a node; that of its mirror is 1 minus it.
+const FOOTPRINT_NODE_G: f32 = 0.28869087f;
+// The sine of the angle.
+const FOOTPRINT_NODE_SINE_G: f32 = 0.9063078f;
+// sin^2 of half the angle of a node; that of its mirror is 1 minus it.
+const FOOTPRINT_NODE_H: f32 = 0.37059048f;
+// The sine of the angle.
+const FOOTPRINT_NODE_SINE_H: f32 = 0.9659258f;
+// sin^2 of half the angle of a node; that of its mirror is 1 minus it.
+const FOOTPRINT_NODE_I: f32 = 0.45642212f;
+// The sine of the angle.
+const FOOTPRINT_NODE_SINE_I: f32 = 0.9961947f;
+// (2^r - 1)/r in powers of r, to 3.2e-7.
+const HALVING_A: f32 = 0.6931472f;
+const HALVING_B: f32 = 0.2402235f;
+const HALVING_C: f32 = 0.05550381f;
+const HALVING_D: f32 = 0.009666368f;
+const HALVING_E: f32 = 0.0013381302f;
+// Exponent for H < 3, v^2, v^4, v^6 times powers 0 to 5 of w, to 0.00028 of M(H, 0).
+const FOOTPRINT_NARROW_A: f32 = 0.13825849f;
+const FOOTPRINT_NARROW_B: f32 = -0.25333163f;
+const FOOTPRINT_NARROW_C: f32 = -0.00026723035f;
+const FOOTPRINT_NARROW_D: f32 = 0.01970528f;
+const FOOTPRINT_NARROW_E: f32 = -0.0026913143f;
+const FOOTPRINT_NARROW_F: f32 = 0.00012525705f;
+const FOOTPRINT_NARROW_G: f32 = 0.26582924f;
+const FOOTPRINT_NARROW_H: f32 = -1.1349578f;
+const FOOTPRINT_NARROW_I: f32 = 0.7839661f;
+const FOOTPRINT_NARROW_J: f32 = -0.20106f;
+const FOOTPRINT_NARROW_K: f32 = 0.022316214f;
+const FOOTPRINT_NARROW_L: f32 = -0.00094284577f;
+const FOOTPRINT_NARROW_M: f32 = -0.18790737f;
+const FOOTPRINT_NARROW_N: f32 = 1.1706403f;
+const FOOTPRINT_NARROW_O: f32 = -1.039597f;
+const FOOTPRINT_NARROW_P: f32 = 0.30889568f;
+const FOOTPRINT_NARROW_Q: f32 = -0.03554422f;
+const FOOTPRINT_NARROW_R: f32 = 0.0015310182f;
+// Exponent beside the edge in powers of d, and its slope in 1/e, to 0.00057 of M(H, 0).
+const FOOTPRINT_EDGE_A: f32 = 0.94492203f;
+const FOOTPRINT_EDGE_B: f32 = -1.4870366f;
+const FOOTPRINT_EDGE_C: f32 = 0.60066104f;
+const FOOTPRINT_EDGE_D: f32 = -0.10374308f;
+const FOOTPRINT_EDGE_E: f32 = -0.004889445f;
+const FOOTPRINT_EDGE_F: f32 = 0.00267118f;
+const FOOTPRINT_EDGE_SLOPE_A: f32 = 0.36916718f;
+const FOOTPRINT_EDGE_SLOPE_B: f32 = -0.24061514f;
+const FOOTPRINT_EDGE_SLOPE_C: f32 = 0.049636792f;
+
+// ---- footprint ----
+// The mean of the window's square over the footprint of a pixel, in f32.
+
+// Half widths below are next to none.
+const FOOTPRINT_LEAST_LIMIT: f32 = 0.00048828125f;
+// Half widths above see nothing.
+const FOOTPRINT_MOST_LIMIT: f32 = 1e18f;
+// Where the window ends, in radii.
+const FOOTPRINT_REACH: f32 = 3.95f;
+// 1 over the nodes.
+const FOOTPRINT_SHARE: f32 = 0.055555556f;
+// sqrt(log2 e): squares of lengths in this unit are powers of 2.
+const FOOTPRINT_BINARY: f32 = 1.2011224f;
+// Half widths from here on see one edge at a time.
+const FOOTPRINT_WIDE_LIMIT: f32 = 3.0f;
+// So far inside the edge the window does not see it.
+const FOOTPRINT_INTERIOR_LIMIT: f32 = 2.5f;
+// Farther outside the edge the coarse form is 0.
+const FOOTPRINT_OUTSIDE_LIMIT: f32 = -3.0f;
+
+// The part of the ellipse that the window reaches.
+struct FootprintWindow {
+    // From the near edge of the ellipse, over H.
+    near: f32,
+    // From the far edge of the ellipse, over H.
+    far: f32,
+    // The beginning, from the line, in units of [`FOOTPRINT_BINARY`].
+    start: f32,
+    // The length, in the same unit.
+    span: f32,
+    // The length over H.
+    share: f32,
+}
+
+// Returns the part of the ellipse within reach of the line.
+fn footprint_window(half_width: f32, edge: f32) -> FootprintWindow {
+    let width = min(max(half_width, FOOTPRINT_LEAST_LIMIT), FOOTPRINT_MOST_LIMIT);
+    let near_edge = edge + (width - half_width);
+    let far_edge = (width - near_edge) + width;
+    let inverse = 1.0f / width;
+    let start = max(-near_edge, -FOOTPRINT_REACH);
+    let whole = max(near_edge, far_edge) <= FOOTPRINT_REACH;
+    let seen = max(min(far_edge, FOOTPRINT_REACH) - start, 0.0f);
+    let span = select(seen, width + width, whole);
+    return FootprintWindow(max(near_edge - FOOTPRINT_REACH, 0.0f) * inverse, max(far_edge -
+        FOOTPRINT_REACH, 0.0f) * inverse, FOOTPRINT_BINARY * start, FOOTPRINT_BINARY * span, span *
+        inverse);
+}
+
+// Returns 2^(-x^2), to f32 grade of 1, for |x| up to 11.
+fn halving_square(x: f32) -> f32 {
+    let y = x * x;
+    let n = round(y);
+    let r = n - y;
+    let series = HALVING_A + r * (HALVING_B + r * (HALVING_C + r * (HALVING_D + r * HALVING_E)));
+    return (1.0f + r * series) * bitcast<f32>(bitcast<u32>(EXPONENT_BIAS - n) << 23u);
+}
+
+// Returns two nodes of the rule, mirror images within the window.
+fn footprint_pair(window: FootprintWindow, part: f32, sine: f32) -> f32 {
+    let rest = 1.0f - part;
+    let low = window.start + window.span * part;
+    let high = window.start + window.span * rest;
+    let lesser = window.share * part;
+    let greater = window.share * rest;
+    let first = sqrt((window.near + lesser) * (window.far + greater)) * halving_square(low);
+    let second = sqrt((window.near + greater) * (window.far + lesser)) * halving_square(high);
+    return sine * (first + second);
+}
+
+// Returns the half width of an ellipse across the tangent; half axes, cosine of the angle from the
+// first to the tangent.
+//
+// For |cos_phi| up to 1.
+fn footprint_half_width(a_first: f32, a_second: f32, cos_phi: f32) -> f32 {
+    let sine_squared = max((1.0f - cos_phi) * (1.0f + cos_phi), 0.0f);
+    let along = a_second * cos_phi;
+    return sqrt((a_first * a_first) * sine_squared + along * along);
+}
+
+// Returns the mean over an ellipse of exp(-s_b^2/sigma^2) for an infinite scratch, to f32 grade of
+// its largest value.
+//
+// Half width H of the ellipse across the scratch and `edge` = H - |C| with C the scratch's offset
+// from the centre, both
+// over sigma: the caller may know the edge better than the difference of two rounded numbers. Any H
+// >= 0.
+fn footprint_mean_reduced(half_width: f32, edge: f32) -> f32 {
+    let window = footprint_window(half_width, edge);
+    let a = footprint_pair(window, FOOTPRINT_NODE_A, FOOTPRINT_NODE_SINE_A);
+    let b = footprint_pair(window, FOOTPRINT_NODE_B, FOOTPRINT_NODE_SINE_B);
+    let c = footprint_pair(window, FOOTPRINT_NODE_C, FOOTPRINT_NODE_SINE_C);
+    let d = footprint_pair(window, FOOTPRINT_NODE_D, FOOTPRINT_NODE_SINE_D);
+    let e = footprint_pair(window, FOOTPRINT_NODE_E, FOOTPRINT_NODE_SINE_E);
+    let f = footprint_pair(window, FOOTPRINT_NODE_F, FOOTPRINT_NODE_SINE_F);
+    let g = footprint_pair(window, FOOTPRINT_NODE_G, FOOTPRINT_NODE_SINE_G);
+    let h = footprint_pair(window, FOOTPRINT_NODE_H, FOOTPRINT_NODE_SINE_H);
+    let i = footprint_pair(window, FOOTPRINT_NODE_I, FOOTPRINT_NODE_SINE_I);
+    let outer = (a + b) + (c + d);
+    let inner = ((i + h) + (g + f)) + e;
+    return (window.share * FOOTPRINT_SHARE) * (outer + inner);
+}
+
+// Returns a polynomial of degree 5.
+fn footprint_quintic(w: f32, a: f32, b: f32, c: f32, d: f32, e: f32, f: f32) -> f32 {
+    let upper = c + w * (d + w * (e + w * f));
+    return a + w * (b + w * upper);
+}
+
+// Returns [`footprint_mean_reduced`] to 1e-3.
+//
+// One exponential and one root: of a narrow ellipse, of one edge, or of the middle of a wide
+// ellipse.
+fn footprint_mean_reduced_coarse(half_width: f32, edge: f32) -> f32 {
+    let d = max(edge, -3.05f);
+    let is_narrow = half_width < FOOTPRINT_WIDE_LIMIT;
+    let is_interior = edge >= FOOTPRINT_INTERIOR_LIMIT;
+    let narrow = min(half_width, FOOTPRINT_WIDE_LIMIT);
+    let offset = narrow - d;
+    let spread = 2.0f / (2.0f + narrow * narrow);
+    let v = 0.5f * ((narrow * narrow) * spread);
+    let u = v * v;
+    let w = 2.0f * ((offset * offset) * spread);
+    let second = footprint_quintic(w, FOOTPRINT_NARROW_A, FOOTPRINT_NARROW_B, FOOTPRINT_NARROW_C,
+        FOOTPRINT_NARROW_D, FOOTPRINT_NARROW_E, FOOTPRINT_NARROW_F);
+    let fourth = footprint_quintic(w, FOOTPRINT_NARROW_G, FOOTPRINT_NARROW_H, FOOTPRINT_NARROW_I,
+        FOOTPRINT_NARROW_J, FOOTPRINT_NARROW_K, FOOTPRINT_NARROW_L);
+    let sixth = footprint_quintic(w, FOOTPRINT_NARROW_M, FOOTPRINT_NARROW_N, FOOTPRINT_NARROW_O,
+        FOOTPRINT_NARROW_P, FOOTPRINT_NARROW_Q, FOOTPRINT_NARROW_R);
+    let excess = 0.5f * w + u * (second + u * (fourth + u * sixth));
+    let wide = min(max(half_width, FOOTPRINT_WIDE_LIMIT), FOOTPRINT_MOST_LIMIT);
+    let inverse = 1.0f / wide;
+    let far = ((wide - d) + wide) * inverse;
+    let near = d * inverse;
+    let t = min(d, FOOTPRINT_INTERIOR_LIMIT);
+    let upper = FOOTPRINT_EDGE_C + t * (FOOTPRINT_EDGE_D + t * (FOOTPRINT_EDGE_E + t *
+        FOOTPRINT_EDGE_F));
+    let decay = FOOTPRINT_EDGE_A + t * (FOOTPRINT_EDGE_B + t * upper);
+    let slope = FOOTPRINT_EDGE_SLOPE_A + t * (FOOTPRINT_EDGE_SLOPE_B + t * FOOTPRINT_EDGE_SLOPE_C);
+    let edged = decay + slope * (inverse / far);
+    let exponent = select(select(edged, 0.0f, is_interior), excess, is_narrow);
+    let under_root = select(select(far * inverse, near * far, is_interior), spread, is_narrow);
+    let bend = 1.0f / (d * far);
+    let z = bend * bend;
+    let middle = inverse * (1.1283792f - z * (0.2820948f + 0.1410474f * z));
+    let height = select(select(inverse, middle, is_interior), 1.0f, is_narrow);
+    let value = (sqrt(under_root) * height) * exponential(-exponent);
+    return select(value, 0.0f, edge < FOOTPRINT_OUTSIDE_LIMIT);
+}
+
+// Returns the mean over an ellipse of exp(-s_b^2/sigma^2) for an infinite scratch at an offset;
+// lengths in one unit.
+//
+// Half axes and angle as in [`footprint_half_width`]. Wide ellipses lose what the rounding of the
+// half width costs the
+// distance of the edge.
+fn footprint_mean(a_first: f32, a_second: f32, cos_phi: f32, offset: f32, radius: f32) -> f32 {
+    let half_width = footprint_half_width(a_first, a_second, cos_phi);
+    let inverse = 1.0f / radius;
+    return footprint_mean_reduced(half_width * inverse, (half_width - abs(offset)) * inverse);
+}
+
+// Returns [`footprint_mean`] to 1e-3.
+fn footprint_mean_coarse(a_first: f32, a_second: f32, cos_phi: f32, offset: f32, radius: f32) -> f32
+    {
+    let half_width = footprint_half_width(a_first, a_second, cos_phi);
+    let inverse = 1.0f / radius;
+    return footprint_mean_reduced_coarse(half_width * inverse, (half_width - abs(offset)) *
+        inverse);
+}
+
+// ---- inverse ----
+// Inverse elementary functions of the f32 kernels: logarithms, and the angle of a point.
+
+// pi/4.
+const QUARTER_PI: f32 = 0.7853982f;
+// tan(pi/8).
+const TANGENT_SPLIT: f32 = 0.41421357f;
+// The smallest random number that counts, 2^-25.
+const SHARE_SMALLEST_LIMIT: f32 = 2.9802322e-8f;
+
+// Returns 2 artanh s, for |s| <= 0.172, to f32 grade.
+fn artanh_twice(s: f32) -> f32 {
+    let u = s * s;
+    let series = u * (ARTANH_A + u * (ARTANH_B + u * ARTANH_C));
+    return (s + s) + s * series;
+}
+
+// Returns ln x for a normal x > 0, to f32 grade.
+fn natural_log(x: f32) -> f32 {
+    let bits = bitcast<u32>(x);
+    let fraction = bitcast<f32>((bits & 0x7fffffu) | 0x3f000000u);
+    let small = fraction < INVERSE_ROOT_TWO;
+    let m = select(fraction, fraction + fraction, small);
+    let e = f32((bits >> 23u)) - select(126.0f, 127.0f, small);
+    return e * LN_TWO_HIGH + (e * LN_TWO_LOW + artanh_twice((m - 1.0f) / (m + 1.0f)));
+}
+
+// Returns ln(1 - a) for 0 <= a < 1, to f32 grade also for the smallest a.
+fn log_one_minus(a: f32) -> f32 {
+    let bounded = min(a, 0.29f);
+    let near = artanh_twice(-bounded / (2.0f - bounded));
+    return select(natural_log(max(1.0f - a, SHARE_SMALLEST_LIMIT)), near, a < 0.29f);
+}
+
+// Returns the angle of (x, y) from the first axis, for y >= 0: from 0 to pi, to f32 grade.
+fn angle_from_axis(x: f32, y: f32) -> f32 {
+    let size = abs(x);
+    let low = min(size, y);
+    let high = max(size, y);
+    let split = low > TANGENT_SPLIT * high;
+    let t = select(low, low - high, split) / select(high, low + high, split);
+    let u = t * t;
+    let series = u * (ARCTANGENT_A + u * (ARCTANGENT_B + u * (ARCTANGENT_C + u * ARCTANGENT_D)));
+    let eighth = (t - t * series) + select(0.0f, QUARTER_PI, split);
+    let quarter = select(eighth, HALF_PI - eighth, y > size);
+    return select(quarter, ARC_PI - quarter, x < 0.0f);
+}
+
+// ---- sampling ----
+// Densities and samples of the lobes of a scratched surface, in f32: the base lobe, the lobe of a
+// scratch, the
+// published cone, and the balance of two strategies.
+
+// Narrower scratches, in pi W/lambda, have a flat lobe.
+const LOBE_NARROW_LIMIT: f32 = 0.000001f;
+// Less concentrated cones are uniform.
+const LOBE_UNIFORM_LIMIT: f32 = 1.0e-7f;
+
+// A sampled direction.
+struct SampledDirection {
+    // The component along the tangent.
+    x: f32,
+    // The component along the bitangent.
+    y: f32,
+    // The component along the normal.
+    z: f32,
+    // The density, in 1/sr; 0 where the draw gives no direction and counts as zero.
+    pdf: f32,
+}
+
+// Returns the y at which int_-inf^y exp(-t^2) dt/sqrt(pi) is `u`, for 0 <= u < 1.
+//
+// Below 2^-25 it stays. The polynomials are those of Giles 2010, "Approximating the erfinv
+// function", Table 5.
+fn gaussian_inverse(u: f32) -> f32 {
+    let share = max(u, SHARE_SMALLEST_LIMIT);
+    let x = (share + share) - 1.0f;
+    let tail = min(share, 1.0f - share);
+    let middle = -log_one_minus(x * x);
+    let outer = -(natural_log(tail) + (1.3862944f + log_one_minus(tail)));
+    let v = select(middle, outer, abs(x) > 0.5f);
+    let c = v - 2.5f;
+    let upper_centre = 0.00021858087f + c * (-4.3915065e-6f + c * (-3.5233877e-6f + c *
+        (3.4327394e-7f + c * 2.8102264e-8f)));
+    let centre = 1.5014094f + c * (0.24664073f + c * (-0.0041776816f + c * (-0.001253725f + c *
+        upper_centre)));
+    let d = sqrt(max(v, 0.0f)) - 3.0f;
+    let upper_far = -0.0036734284f + d * (0.0013493432f + d * (0.00010095056f + d *
+        -0.00020021426f));
+    let far = 2.8329768f + d * (1.001674f + d * (0.00943887f + d * (-0.007622461f + d *
+        (0.0057395077f + d * upper_far))));
+    return x * select(centre, far, v >= 5.0f);
+}
+
+// Returns k sigma.
+fn lobe_reduced_radius(radius: f32, wavelength: f32) -> f32 {
+    return TWO_PI * (radius / wavelength);
+}
+
+// Returns the density of the base lobe, in 1/sr: a Gaussian of direction cosines.
+//
+// Radius of the coherence window and wavelength in um; incident and outgoing direction by
+// components along tangent (t),
+// bitangent (b) and normal (n), away from the surface; the incident one above it. 0 for an outgoing
+// one below it.
+fn base_lobe_pdf(radius: f32, wavelength: f32, incident_t: f32, incident_b: f32, outgoing_t: f32,
+    outgoing_b: f32, outgoing_n: f32) -> f32 {
+    let q = lobe_reduced_radius(radius, wavelength);
+    let x = q * (incident_t + outgoing_t);
+    let y = q * (incident_b + outgoing_b);
+    let height = exponential(-(x * x + y * y)) * INVERSE_PI;
+    return select(q * (q * (height * outgoing_n)), 0.0f, outgoing_n <= 0.0f);
+}
+
+// Returns a direction of the base lobe from two random numbers of \[0, 1); density 0 for an
+// evanescent draw.
+fn base_lobe_sample(radius: f32, wavelength: f32, incident_t: f32, incident_b: f32, first: f32,
+    second: f32) -> SampledDirection {
+    let q = lobe_reduced_radius(radius, wavelength);
+    let size = sqrt(-log_one_minus(first)) / q;
+    let turn = sine_cosine_turns(second);
+    let x = size * turn.cosine - incident_t;
+    let y = size * turn.sine - incident_b;
+    let z = sqrt(max((1.0f - x) * (1.0f + x) - y * y, 0.0f));
+    return SampledDirection(x, y, z, base_lobe_pdf(radius, wavelength, incident_t, incident_b, x, y,
+        z));
+}
+
+// Returns the Lorentzian's angle over the directions that propagate, from c (b - g) to c (b + g).
+fn lobe_lorentz_angle(c: f32, b: f32, g: f32) -> f32 {
+    let low = c * (b - g);
+    let high = c * (b + g);
+    return angle_from_axis(1.0f + low * high, c * (g + g));
+}
+
+// Returns the density of the lobe of a scratch, in 1/sr: a Gaussian along it, a Lorentzian across.
+//
+// Radius, wavelength and width in um; directions as in [`base_lobe_pdf`].
+fn scratch_lobe_pdf(radius: f32, wavelength: f32, width: f32, incident_t: f32, incident_b: f32,
+    outgoing_t: f32, outgoing_b: f32, outgoing_n: f32) -> f32 {
+    let q = lobe_reduced_radius(radius, wavelength);
+    let c = ARC_PI * (width / wavelength);
+    let along = q * (incident_t + outgoing_t);
+    let x = c * (incident_b + outgoing_b);
+    let g = sqrt(outgoing_b * outgoing_b + outgoing_n * outgoing_n);
+    let curved = c / (lobe_lorentz_angle(c, incident_b, g) * (1.0f + x * x));
+    let across = select(curved, 0.5f / g, c < LOBE_NARROW_LIMIT);
+    let gaussian = q * (exponential(-(along * along)) * INVERSE_ROOT_PI);
+    return select(gaussian * (across * outgoing_n), 0.0f, outgoing_n <= 0.0f);
+}
+
+// Returns a direction of the lobe of a scratch from two random numbers of \[0, 1); density 0 for an
+// evanescent draw.
+fn scratch_lobe_sample(radius: f32, wavelength: f32, width: f32, incident_t: f32, incident_b: f32,
+    first: f32, second: f32) -> SampledDirection {
+    let q = lobe_reduced_radius(radius, wavelength);
+    let c = ARC_PI * (width / wavelength);
+    let x = gaussian_inverse(first) / q - incident_t;
+    let g = sqrt(max((1.0f - x) * (1.0f + x), 0.0f));
+    let b = abs(incident_b);
+    let mirrored = incident_b < 0.0f;
+    let u = select(1.0f - second, second, mirrored);
+    let far = c * (b + g);
+    let turn = sine_cosine(u * lobe_lorentz_angle(c, b, g));
+    let curved = turn.sine * (1.0f + far * far) / (c * (turn.cosine + far * turn.sine));
+    let from_end = select(curved, u * (g + g), c < LOBE_NARROW_LIMIT);
+    let beta = g - from_end;
+    let y = select(beta, -beta, mirrored);
+    let z = sqrt(max(from_end * ((g + g) - from_end), 0.0f));
+    return SampledDirection(x, y, z, scratch_lobe_pdf(radius, wavelength, width, incident_t,
+        incident_b, x, y, z));
+}
+
+// Returns 1 - e^(-2 kappa), relatively accurate, for kappa >= 0.
+fn cone_mass(concentration: f32) -> f32 {
+    let z = concentration + concentration;
+    let upper = 0.008333334f - z * (0.0013888889f - z * (0.0001984127f - z * 0.000024801588f));
+    let series = z * (0.5f - z * (0.16666667f - z * (0.041666668f - z * upper)));
+    return select(1.0f - exponential(-z), z - z * series, z < 0.5f);
+}
+
+// Returns the density of the published cone of a scratch, in 1/sr (WVJH17 section 5), for a
+// concentration >= 0.
+//
+// Directions as in [`base_lobe_pdf`].
+fn scratch_cone_pdf(concentration: f32, incident_t: f32, incident_b: f32, incident_n: f32,
+    outgoing_t: f32, outgoing_b: f32, outgoing_n: f32) -> f32 {
+    let across_in = sqrt(incident_b * incident_b + incident_n * incident_n);
+    let across_out = sqrt(outgoing_b * outgoing_b + outgoing_n * outgoing_n);
+    let sum = incident_t + outgoing_t;
+    let difference = across_in - across_out;
+    let decay = (0.5f * concentration) * (sum * sum + difference * difference);
+    let peak = select(concentration / cone_mass(concentration), 0.5f, concentration <
+        LOBE_UNIFORM_LIMIT);
+    let rise = bessel_i0_scaled(concentration * (across_in * across_out));
+    let density = peak * ((exponential(-decay) * INVERSE_PI) * rise);
+    return select(density, 0.0f, outgoing_n < 0.0f);
+}
+
+// Returns a direction of the published cone from three random numbers of \[0, 1).
+fn scratch_cone_sample(concentration: f32, incident_t: f32, incident_b: f32, incident_n: f32, first:
+    f32, second: f32, third: f32) -> SampledDirection {
+    let curved = -log_one_minus(first * cone_mass(concentration)) / concentration;
+    let versine = min(select(curved, first + first, concentration < LOBE_UNIFORM_LIMIT), 2.0f);
+    let cosine = 1.0f - versine;
+    let sine = sqrt(versine * (2.0f - versine));
+    let offset = sine_cosine_turns(second);
+    let s = sqrt(incident_b * incident_b + incident_n * incident_n);
+    let turned = sine * offset.cosine;
+    let x = -(incident_t * cosine) - s * turned;
+    let across = s * cosine - incident_t * turned;
+    let beside = sine * offset.sine;
+    let reach = sqrt(across * across + beside * beside);
+    let azimuth = sine_cosine_turns(0.5f * third);
+    let y = reach * azimuth.cosine;
+    let z = reach * azimuth.sine;
+    return SampledDirection(x, y, z, scratch_cone_pdf(concentration, incident_t, incident_b,
+        incident_n, x, y, z));
+}
+
+// Returns the balance weight of a strategy with the density `own` beside `others`, for finite
+// densities >= 0.
+//
+// 0 where both are 0.
+fn balance_weight(own: f32, others: f32) -> f32 {
+    let ratio = min(own, others) / max(own, others);
+    let larger = 1.0f / (1.0f + ratio);
+    return select(select(ratio * larger, larger, own >= others), 0.0f, own == 0.0f);
 }

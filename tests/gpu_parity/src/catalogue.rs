@@ -47,21 +47,112 @@ pub const CATALOGUE: &[Entry] = &[
     plain("bessel_i0_scaled", 1, |x, y| y[0] = shader::bessel_i0_scaled(x[0])),
     plain("log_bessel_izero", 1, |x, y| y[0] = shader::log_bessel_izero(x[0])),
     plain("bessel_ratio", 1, |x, y| y[0] = shader::bessel_ratio(x[0])),
-    complex("faddeeva_w", 2, |z, y| {
-        let w = shader::faddeeva_w(z[0], z[1]);
-        y.copy_from_slice(&[w.re, w.im]);
-    }),
+    complex("faddeeva_w", 2, |z, y| store(shader::faddeeva_w(z[0], z[1]), y)),
     complex("faddeeva_w_coarse", 2, |z, y| {
-        let w = shader::faddeeva_w_coarse(z[0], z[1]);
-        y.copy_from_slice(&[w.re, w.im]);
+        store(shader::faddeeva_w_coarse(z[0], z[1]), y)
     }),
     complex("erf_difference_scaled", 3, |x, y| {
-        let difference = shader::erf_difference_scaled(x[0], x[1], x[2]);
-        y.copy_from_slice(&[difference.re, difference.im]);
+        store(shader::erf_difference_scaled(x[0], x[1], x[2]), y)
     }),
     complex("erf_difference_scaled_turns", 5, |x, y| {
-        let difference = shader::erf_difference_scaled_turns(x[0], x[1], x[2], x[3], x[4]);
-        y.copy_from_slice(&[difference.re, difference.im]);
+        store(shader::erf_difference_scaled_turns(x[0], x[1], x[2], x[3], x[4]), y)
+    }),
+    plain("width_term", 3, |x, y| y[0] = shader::width_term(x[0], x[1], x[2])),
+    complex("depth_term", 3, |x, y| store(shader::depth_term(x[0], x[1], x[2]), y)),
+    plain("depth_term_squared", 3, |x, y| {
+        y[0] = shader::depth_term_squared(x[0], x[1], x[2])
+    }),
+    complex("profile_rectangle", 5, |x, y| {
+        store(shader::profile_rectangle(x[0], x[1], x[2], x[3], x[4]), y)
+    }),
+    complex("profile_triangle", 5, |x, y| {
+        store(shader::profile_triangle(x[0], x[1], x[2], x[3], x[4]), y)
+    }),
+    complex("response_triangle", 5, |x, y| {
+        store(shader::response_triangle(x[0], x[1], x[2], x[3], x[4]), y)
+    }),
+    plain("base_interference", 2, |x, y| {
+        y[0] = shader::base_interference(x[0], x[1])
+    }),
+    complex("crossing_response", 15, |x, y| {
+        store(
+            shader::crossing_response(
+                x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], x[10], x[11], x[12], x[13], x[14],
+            ),
+            y,
+        )
+    }),
+    plain("area_density_amplitude", 3, |x, y| {
+        y[0] = shader::area_density_amplitude(x[0], x[1], x[2])
+    }),
+    complex("spatial_phase", 8, |x, y| {
+        store(shader::spatial_phase(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]), y)
+    }),
+    complex("spatial_phase_infinite", 5, |x, y| {
+        store(shader::spatial_phase_infinite(x[0], x[1], x[2], x[3], x[4]), y)
+    }),
+    plain("spatial_phase_infinite_squared", 4, |x, y| {
+        y[0] = shader::spatial_phase_infinite_squared(x[0], x[1], x[2], x[3])
+    }),
+    plain("coherence_window", 2, |x, y| {
+        y[0] = shader::coherence_window(x[0], x[1])
+    }),
+    plain("base_response", 4, |x, y| {
+        y[0] = shader::base_response(x[0], x[1], x[2], x[3])
+    }),
+    plain("area_density", 3, |x, y| y[0] = shader::area_density(x[0], x[1], x[2])),
+    plain("energy_blend_base", 2, |x, y| {
+        y[0] = shader::energy_blend_base(x[0], x[1])
+    }),
+    plain("energy_blend_scattered", 2, |x, y| {
+        y[0] = shader::energy_blend_scattered(x[0], x[1])
+    }),
+    plain("energy_blend_scratches", 1, |x, y| {
+        y[0] = shader::energy_blend_scratches(x[0])
+    }),
+    plain("reflectance_coherent", 5, |x, y| {
+        y[0] = shader::reflectance_coherent(x[0], x[1], x[2], x[3], x[4])
+    }),
+    plain("reflectance_incoherent", 3, |x, y| {
+        y[0] = shader::reflectance_incoherent(x[0], x[1], x[2])
+    }),
+    plain("scratch_squared", 8, |x, y| {
+        y[0] = shader::scratch_squared(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7])
+    }),
+    plain("footprint_half_width", 3, |x, y| {
+        y[0] = shader::footprint_half_width(x[0], x[1], x[2])
+    }),
+    plain("footprint_mean_reduced", 2, |x, y| {
+        y[0] = shader::footprint_mean_reduced(x[0], x[1])
+    }),
+    plain("footprint_mean_reduced_coarse", 2, |x, y| {
+        y[0] = shader::footprint_mean_reduced_coarse(x[0], x[1])
+    }),
+    plain("footprint_mean", 5, |x, y| {
+        y[0] = shader::footprint_mean(x[0], x[1], x[2], x[3], x[4])
+    }),
+    plain("footprint_mean_coarse", 5, |x, y| {
+        y[0] = shader::footprint_mean_coarse(x[0], x[1], x[2], x[3], x[4])
+    }),
+    plain("gaussian_inverse", 1, |x, y| y[0] = shader::gaussian_inverse(x[0])),
+    plain("balance_weight", 2, |x, y| y[0] = shader::balance_weight(x[0], x[1])),
+    plain("base_lobe_pdf", 7, |x, y| {
+        y[0] = shader::base_lobe_pdf(x[0], x[1], x[2], x[3], x[4], x[5], x[6])
+    }),
+    direction("base_lobe_sample", 6, |x, y| {
+        store_direction(shader::base_lobe_sample(x[0], x[1], x[2], x[3], x[4], x[5]), y)
+    }),
+    plain("scratch_lobe_pdf", 8, |x, y| {
+        y[0] = shader::scratch_lobe_pdf(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7])
+    }),
+    direction("scratch_lobe_sample", 7, |x, y| {
+        store_direction(shader::scratch_lobe_sample(x[0], x[1], x[2], x[3], x[4], x[5], x[6]), y)
+    }),
+    plain("scratch_cone_pdf", 7, |x, y| {
+        y[0] = shader::scratch_cone_pdf(x[0], x[1], x[2], x[3], x[4], x[5], x[6])
+    }),
+    direction("scratch_cone_sample", 7, |x, y| {
+        store_direction(shader::scratch_cone_sample(x[0], x[1], x[2], x[3], x[4], x[5], x[6]), y)
     }),
     plain("exponential", 1, |x, y| y[0] = shader::exponential(x[0])),
     Entry {
@@ -84,6 +175,16 @@ pub const CATALOGUE: &[Entry] = &[
     },
 ];
 
+/// Writes a complex number into a row of results.
+fn store(z: shader::Complex, row: &mut [f32]) {
+    row.copy_from_slice(&[z.re, z.im]);
+}
+
+/// Writes a sampled direction into a row of results.
+fn store_direction(drawn: shader::SampledDirection, row: &mut [f32]) {
+    row.copy_from_slice(&[drawn.x, drawn.y, drawn.z, drawn.pdf]);
+}
+
 /// A function with a plain f32 result.
 pub const fn plain(name: &'static str, arguments: usize, call: fn(&[f32], &mut [f32])) -> Entry {
     Entry {
@@ -100,6 +201,16 @@ pub const fn complex(name: &'static str, arguments: usize, call: fn(&[f32], &mut
         name,
         arguments,
         fields: &["re", "im"],
+        call,
+    }
+}
+
+/// A function with a sampled direction as its result.
+const fn direction(name: &'static str, arguments: usize, call: fn(&[f32], &mut [f32])) -> Entry {
+    Entry {
+        name,
+        arguments,
+        fields: &["x", "y", "z", "pdf"],
         call,
     }
 }

@@ -1,5 +1,7 @@
 //! Rows of inputs: uniform, logarithmic, around region borders, and the edges of the format.
 
+mod scenes;
+
 use std::f32::consts::FRAC_PI_2;
 use std::f64::consts::{PI, TAU};
 
@@ -151,6 +153,11 @@ fn segments_in_turns() -> Vec<f32> {
     segments()
         .flat_map(|[from, to, b]| [from, to, b, turns(from, b), turns(to, b)])
         .collect()
+}
+
+/// Rows for the function of a name and a number of arguments: of its scene if it has one, of its number otherwise.
+pub fn rows_for(name: &str, arguments: usize) -> Vec<f32> {
+    scenes::rows(name).unwrap_or_else(|| rows(arguments))
 }
 
 /// Rows for a function of `arguments` arguments.

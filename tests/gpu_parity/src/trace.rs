@@ -183,6 +183,14 @@ mod tests {
     }
 
     #[test]
+    fn a_shift_is_sure_where_all_that_is_inexact_is_dropped() {
+        let exponent = "return f32(bitcast<u32>(x / 3.0) >> 23u);";
+        assert!(!trace(exponent, &[4.0]).undecided);
+        assert!(trace(exponent, &[3.0]).undecided);
+        assert!(trace("return f32(bitcast<u32>(x / 3.0) >> 1u);", &[4.0]).undecided);
+    }
+
+    #[test]
     fn loops_locals_and_bits_are_evaluated() {
         let body = "var s = 0.0; for (var i: u32 = 0u; i < 6u; i++) { if i == 4u { continue; } s += x; } \
                     let n = bitcast<u32>(s) & 0x7fffffffu; return bitcast<f32>(n);";

@@ -19,7 +19,7 @@ fn thinned(rows: &[f32], arguments: usize, step: usize) -> Vec<f32> {
 fn measure(adapter: &Adapter, wgsl: &str, step: usize) -> Vec<Comparison> {
     let program = Program::parse(wgsl).unwrap_or_else(|e| panic!("{e}"));
     let one = |entry: &Entry| {
-        let rows = thinned(&inputs::rows(entry.arguments), entry.arguments, step);
+        let rows = thinned(&inputs::rows_for(entry.name, entry.arguments), entry.arguments, step);
         let device = adapter.run(wgsl, &entry.kernel(), &rows);
         compare(&program, entry.name, entry.arguments, &rows, &entry.run(&rows), &device)
             .unwrap_or_else(|e| panic!("{e}"))
@@ -75,7 +75,7 @@ fn the_catalogue_is_the_list_of_public_functions() {
 fn the_text_evaluated_operation_by_operation_gives_the_bits_of_rust() {
     let program = Program::parse(WGSL).unwrap_or_else(|e| panic!("{e}"));
     for entry in CATALOGUE {
-        let rows = thinned(&inputs::rows(entry.arguments), entry.arguments, 37);
+        let rows = thinned(&inputs::rows_for(entry.name, entry.arguments), entry.arguments, 37);
         for (row, ours) in rows
             .chunks_exact(entry.arguments)
             .zip(entry.run(&rows).chunks_exact(entry.fields.len().max(1)))
@@ -132,9 +132,10 @@ fn changed(wgsl: &str, n: usize) -> Option<String> {
             && matches!(c, 'f' | 'e')
         {
             if seen == n {
-                // The second digit that counts, up or down by one.
+                // The second digit that counts, or the only one, up or down by one.
                 let first = digits.find(|c: char| ('1'..='9').contains(&c))?;
-                let place = s + first + 1 + usize::from(digits.as_bytes()[first + 1] == b'.');
+                let second = digits[first + 1..].find(|c: char| c.is_ascii_digit());
+                let place = s + second.map_or(first, |second| first + 1 + second);
                 let digit = wgsl.as_bytes()[place];
                 let mut text = wgsl.to_owned();
                 let other = if digit == b'9' { b'8' } else { digit + 1 };
@@ -157,7 +158,7 @@ fn a_changed_coefficient_is_seen_on_the_device() {
     let committed = Program::parse(WGSL).unwrap_or_else(|e| panic!("{e}"));
     let mut failures = 0;
     for entry in CATALOGUE {
-        let rows = thinned(&inputs::rows(entry.arguments), entry.arguments, 16);
+        let rows = thinned(&inputs::rows_for(entry.name, entry.arguments), entry.arguments, 16);
         let device = adapter.run(&text, &entry.kernel(), &rows);
         let found = compare(
             &committed,
@@ -184,7 +185,7 @@ fn is_limit(wgsl: &str, n: usize) -> bool {
 /// Whether a text gives other bits than Rust on every `step`-th row of some function.
 fn differs(program: &Program, step: usize) -> bool {
     CATALOGUE.iter().any(|entry| {
-        let rows = thinned(&inputs::rows(entry.arguments), entry.arguments, step);
+        let rows = thinned(&inputs::rows_for(entry.name, entry.arguments), entry.arguments, step);
         rows.chunks_exact(entry.arguments)
             .zip(entry.run(&rows).chunks_exact(entry.fields.len().max(1)))
             .any(|(row, ours)| {

@@ -71,6 +71,41 @@ pub fn bessel_i1_i0_ratio() -> Vec<Row> {
     rows(1, include_str!("../../../data/golden/bessel_i1_i0_ratio.csv"))
 }
 
+/// Certified values of the spatial phase; its modulus is certified, not each part.
+pub fn spatial_phase() -> Vec<ComplexRow> {
+    complex_rows(8, include_str!("../../../data/golden/spatial_phase.csv"))
+}
+
+/// Certified values of the rectangle's transform, to digits of its width.
+pub fn profile_rectangle() -> Vec<ComplexRow> {
+    complex_rows(5, include_str!("../../../data/golden/profile_rectangle.csv"))
+}
+
+/// Certified values of the triangle's transform, to digits of its width.
+pub fn profile_triangle() -> Vec<ComplexRow> {
+    complex_rows(5, include_str!("../../../data/golden/profile_triangle.csv"))
+}
+
+/// Certified values of M(H, C).
+pub fn footprint_mean_reduced() -> Vec<Row> {
+    rows(2, include_str!("../../../data/golden/footprint_mean_reduced.csv"))
+}
+
+/// Certified values of the mean over a footprint.
+pub fn footprint_mean() -> Vec<Row> {
+    rows(5, include_str!("../../../data/golden/footprint_mean.csv"))
+}
+
+/// Certified values of the energy of a segment.
+pub fn segment_energy() -> Vec<Row> {
+    rows(4, include_str!("../../../data/golden/segment_energy.csv"))
+}
+
+/// Certified values of the inverse of the integral of sinc squared.
+pub fn sinc_squared_inverse() -> Vec<Row> {
+    rows(1, include_str!("../../../data/golden/sinc_squared_inverse.csv"))
+}
+
 fn number(word: &str) -> f64 {
     hexadecimal::parse(word).unwrap_or_else(|_| panic!("{word:?} in data/golden"))
 }

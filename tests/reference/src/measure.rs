@@ -163,7 +163,7 @@ pub fn accuracy_against(method: &Method, rows: &[f64], truths: &[Truth]) -> Accu
         .zip(truths)
         .zip(inputs)
         .map(|((result, truth), row)| {
-            let scale = function.peak.map_or(1.0, |peak| peak(row).max(smallest));
+            let scale = function.peak.map_or(1.0, |peak| (peak.of)(row).max(smallest));
             Errors::new(result, truth, method.precision, scale)
         })
         .collect();

@@ -6,6 +6,7 @@
 
 pub mod bessel;
 pub mod error_function;
+pub mod footprint;
 mod galsim;
 #[cfg(feature = "gsl")]
 pub mod gsl;

@@ -5,11 +5,16 @@ mod call;
 mod erf_difference;
 mod error_function;
 mod faddeeva;
+mod footprint;
 mod functions;
 mod own;
 mod peer;
+mod scratch_functions;
+mod scratches;
+mod surface_functions;
+mod surfaces;
 
-pub use call::{Call, Value, Visitor};
+pub use call::{Call, Input, Number, Pass, Shape, Value};
 
 use crate::generate::{Generator, timing};
 use crate::metrics::{Reference, Truth};
@@ -34,7 +39,7 @@ pub enum Origin {
     Ours,
     /// The formula of one of the four papers, as a method.
     Published,
-    /// Another library.
+    /// Another library, or a plain quadrature where no library has the function.
     Peer,
 }
 
@@ -49,7 +54,7 @@ pub enum Metric {
     Absolute,
     /// Relative error.
     Relative,
-    /// Absolute error as a multiple of the function's own scale, [`Function::peak`].
+    /// Absolute error as a multiple of the function's own scale, [`Peak`].
     Peak,
 }
 
@@ -91,11 +96,24 @@ pub struct Function {
     /// What the oracle is, for the ledger.
     pub oracle_name: &'static str,
     /// The scale of a row against which [`Metric::Peak`] counts errors, where the function has one.
-    pub peak: Option<fn(&[f64]) -> f64>,
+    pub peak: Option<Peak>,
+    /// What is wrong with a row: the column, from 0, and the reason. Not a number is not wrong: it gives itself.
+    pub refuse: fn(&[f64]) -> Option<(usize, &'static str)>,
     /// Rows on which all its methods are timed; `None` where those of [`crate::generate::timing`] suit.
     pub timed: Option<Generator>,
     /// One of so many points of a run is measured: more than 1 where the oracle takes tens of microseconds.
     pub thinning: usize,
+}
+
+/// A function's own scale, about its largest size with these inputs; errors are counted as multiples of it.
+#[derive(Clone, Copy)]
+pub struct Peak {
+    /// The scale of a row, to about six digits.
+    pub of: fn(&[f64]) -> f64,
+    /// What it is, in words or as a formula.
+    pub words: &'static str,
+    /// Its largest value over all rows, at least 1; none where it has a unit and no largest value.
+    pub largest: Option<f64>,
 }
 
 /// The truth of a row of inputs.
@@ -181,7 +199,12 @@ impl Method {
 
 /// All functions.
 pub fn functions() -> &'static [Function] {
-    &functions::FUNCTIONS
+    static ALL: LazyLock<Vec<Function>> = LazyLock::new(|| {
+        let (special, scratches) = (functions::FUNCTIONS, scratch_functions::FUNCTIONS);
+        let surfaces = surface_functions::FUNCTIONS;
+        special.into_iter().chain(scratches).chain(surfaces).collect()
+    });
+    &ALL
 }
 
 /// The function of a name.
@@ -199,6 +222,9 @@ pub fn methods() -> &'static [Method] {
             error_function::methods(),
             erf_difference::methods(),
             bessel::methods(),
+            scratches::methods(),
+            footprint::methods(),
+            surfaces::methods(),
         ];
         parts.into_iter().flatten().collect()
     });

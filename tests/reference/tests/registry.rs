@@ -27,10 +27,11 @@ fn every_method_is_registered_once_with_a_function_a_domain_and_a_promise_of_its
         let f = function(m.function).unwrap_or_else(|| panic!("{} is no function", m.function));
         assert_eq!(f.inputs.len(), m.call.columns(), "{} / {}", m.function, m.method);
         assert_eq!(f.inputs.len(), m.domain.columns, "{} / {}", m.function, m.method);
-        // What is printed without a bound of its own is held by none.
+        // What is printed without a bound of its own is held by none; the papers bound the fit of Eq. 29 alone.
+        let fitted = m.method == "vwh18" && m.function.contains("integral");
         assert_eq!(
-            m.origin == Origin::Peer || m.method == "as_printed",
-            m.budget.is_none(),
+            m.origin == Origin::Ours || fitted,
+            m.budget.is_some(),
             "{} / {}",
             m.function,
             m.method

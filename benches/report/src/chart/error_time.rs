@@ -241,7 +241,7 @@ fn draw_at(height: f64, title: &str, shown: &[&Entry]) -> Option<String> {
             y0: plot.strip.y1,
             ..frame
         },
-        error,
+        &error,
         2,
         1.0,
         true,

@@ -1,5 +1,6 @@
 //! Charts, as deterministic SVG text drawn from the committed CSV files alone.
 pub mod axis;
+pub mod cuts;
 pub mod digits;
 pub mod error_time;
 pub mod failures;

@@ -42,6 +42,10 @@ impl Run<'_> {
                     _ => Value::Bool(order(op, a.cmp(&b))?),
                 })
             }
+            // A shift that drops all that is inexact, such as that to the exponent.
+            (Value::Word(a, ea), Value::Word(b, 0.0)) if op == B::ShiftRight && shift_is_sure(a, ea, b) => {
+                Ok(Value::Word(a >> (b & 31), 0.0))
+            }
             (Value::Word(a, ea), Value::Word(b, eb)) => {
                 let bound = self.integer_bound(op, ea, eb);
                 Ok(match op {
@@ -203,6 +207,13 @@ impl Run<'_> {
             (value, kind, _) => return Err(format!("cast of {value:?} to {kind:?}")),
         })
     }
+}
+
+/// Whether the bits of an f32 that may be off by a bound give the same after a shift to the right.
+fn shift_is_sure(bits: u32, bound: f64, places: u32) -> bool {
+    let value = f64::from(f32::from_bits(bits));
+    let shifted = |x: f64| (x as f32).to_bits() >> (places & 31);
+    bound.is_finite() && shifted(value - bound) == shifted(value) && shifted(value + bound) == shifted(value)
 }
 
 fn order(op: B, ordering: std::cmp::Ordering) -> Outcome<bool> {

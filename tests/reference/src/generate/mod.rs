@@ -6,8 +6,11 @@
 pub mod arcs;
 pub mod complex_points;
 pub mod erf_differences;
+pub mod footprints;
 pub mod points;
 pub mod random;
+pub mod scratches;
+pub mod surfaces;
 pub mod timing;
 pub mod worst;
 
@@ -26,7 +29,7 @@ pub struct Generator {
     pub rows: fn(seed: u64, n: usize) -> Vec<f64>,
 }
 
-/// All generators with finite inputs.
+/// All generators. Those of the spatial phase give infinite ends, all others finite numbers.
 pub fn all() -> &'static [Generator] {
     &[
         points::REAL_F64,
@@ -70,6 +73,29 @@ pub fn all() -> &'static [Generator] {
         erf_differences::SCRATCH_F32,
         erf_differences::ANY,
         erf_differences::SHORT,
+        scratches::SPATIAL_PHASE,
+        scratches::SPATIAL_PHASE_F32,
+        scratches::PROFILE,
+        scratches::PROFILE_F32,
+        scratches::TRIANGLE_POLES,
+        scratches::SEGMENT_ENERGY,
+        footprints::FOOTPRINT,
+        footprints::FOOTPRINT_REDUCED,
+        footprints::FOOTPRINT_REDUCED_F32,
+        surfaces::INFINITE_PHASE,
+        surfaces::INFINITE_PHASE_F32,
+        surfaces::DEPTH,
+        surfaces::DEPTH_F32,
+        surfaces::BASE,
+        surfaces::BASE_F32,
+        surfaces::SCRATCH,
+        surfaces::SCRATCH_F32,
+        surfaces::WINDOWED,
+        surfaces::DENSITY,
+        surfaces::DENSITY_F32,
+        surfaces::CONE,
+        surfaces::GAUSSIAN_U,
+        surfaces::GAUSSIAN_U_F32,
     ]
 }
 
@@ -108,7 +134,12 @@ mod tests {
             for n in [0, 1, 7, 5000] {
                 let rows = (generator.rows)(3, n);
                 assert_eq!(rows.len(), n * generator.columns, "{}", generator.name);
-                assert!(rows.iter().all(|x| x.is_finite()), "{}", generator.name);
+                let ends = ["spatial_phase", "spatial_phase_f32"].contains(&generator.name);
+                assert!(
+                    rows.iter().all(|x| x.is_finite() || ends && x.is_infinite()),
+                    "{}",
+                    generator.name
+                );
                 let again: Vec<u64> = (generator.rows)(3, n).iter().map(|x| x.to_bits()).collect();
                 assert!(rows.iter().map(|x| x.to_bits()).eq(again), "{}", generator.name);
             }

@@ -3,7 +3,7 @@
 use crate::hexadecimal;
 
 /// Name and text of each file: one header line, then one row of hexadecimal floats a line, `#` comments.
-const FILES: [(&str, usize, &str); 17] = [
+const FILES: [(&str, usize, &str); 34] = [
     (
         "sine_integral",
         1,
@@ -57,15 +57,105 @@ const FILES: [(&str, usize, &str); 17] = [
         1,
         include_str!("../../../../data/worst/bessel_i1_i0_ratio.csv"),
     ),
+    (
+        "spatial_phase",
+        8,
+        include_str!("../../../../data/worst/spatial_phase.csv"),
+    ),
+    (
+        "profile_rectangle",
+        5,
+        include_str!("../../../../data/worst/profile_rectangle.csv"),
+    ),
+    (
+        "profile_triangle",
+        5,
+        include_str!("../../../../data/worst/profile_triangle.csv"),
+    ),
+    (
+        "footprint_mean",
+        5,
+        include_str!("../../../../data/worst/footprint_mean.csv"),
+    ),
+    (
+        "footprint_mean_reduced",
+        2,
+        include_str!("../../../../data/worst/footprint_mean_reduced.csv"),
+    ),
+    (
+        "footprint_mean_reduced_edge",
+        2,
+        include_str!("../../../../data/worst/footprint_mean_reduced_edge.csv"),
+    ),
+    (
+        "segment_energy",
+        4,
+        include_str!("../../../../data/worst/segment_energy.csv"),
+    ),
+    (
+        "sinc_squared_inverse",
+        1,
+        include_str!("../../../../data/worst/sinc_squared_inverse.csv"),
+    ),
+    (
+        "spatial_phase_infinite",
+        5,
+        include_str!("../../../../data/worst/spatial_phase_infinite.csv"),
+    ),
+    (
+        "response_triangle",
+        5,
+        include_str!("../../../../data/worst/response_triangle.csv"),
+    ),
+    (
+        "response_rectangle_windowed",
+        11,
+        include_str!("../../../../data/worst/response_rectangle_windowed.csv"),
+    ),
+    ("depth_term", 3, include_str!("../../../../data/worst/depth_term.csv")),
+    (
+        "base_response",
+        4,
+        include_str!("../../../../data/worst/base_response.csv"),
+    ),
+    (
+        "scratch_squared",
+        8,
+        include_str!("../../../../data/worst/scratch_squared.csv"),
+    ),
+    (
+        "area_density",
+        3,
+        include_str!("../../../../data/worst/area_density.csv"),
+    ),
+    (
+        "gaussian_inverse",
+        1,
+        include_str!("../../../../data/worst/gaussian_inverse.csv"),
+    ),
+    (
+        "von_mises_fisher_pdf",
+        2,
+        include_str!("../../../../data/worst/von_mises_fisher_pdf.csv"),
+    ),
 ];
 
-/// Rows of these functions are complex numbers and erf differences, which [`recorded`] leaves out.
-const APART: [&str; 5] = [
+/// Rows of these functions are complex numbers, erf differences, half widths, lengths or shares, which [`recorded`] leaves out.
+const APART: [&str; 14] = [
     "faddeeva_w",
     "faddeeva_w_derivative",
     "erf_complex",
     "erfc_complex",
     "erf_difference_scaled",
+    "footprint_mean_reduced",
+    "footprint_mean_reduced_edge",
+    "sinc_squared_inverse",
+    "depth_term",
+    "base_response",
+    "area_density",
+    "gaussian_inverse",
+    "von_mises_fisher_pdf",
+    "scratch_squared",
 ];
 
 /// All recorded rows with this number of columns: real numbers, arcs, or arcs after a width.

@@ -139,7 +139,7 @@ fn short(q0: f64, q1: f64) -> Reference {
 static RULES: LazyLock<[Vec<(Dd, Dd)>; 2]> = LazyLock::new(|| [gauss_legendre(14), gauss_legendre(18)]);
 
 /// Nodes and weights of the `n`-point rule on [0, 1] by Newton's method on the Legendre polynomial.
-fn gauss_legendre(n: usize) -> Vec<(Dd, Dd)> {
+pub(super) fn gauss_legendre(n: usize) -> Vec<(Dd, Dd)> {
     let rule = (0..n).map(|i| {
         let guess = -(std::f64::consts::PI * (i as f64 + 0.75) / (n as f64 + 0.5)).cos();
         let mut x = Dd::from(guess);

@@ -46,7 +46,7 @@ fn asymptotic(x: f64) -> (Dd, Dd) {
 }
 
 /// Square root by one Newton step from f64.
-fn square_root(x: Dd) -> Dd {
+pub(super) fn square_root(x: Dd) -> Dd {
     let root = x.hi.sqrt();
     let rest = x - two_product(root, root);
     let root = Dd::from(root) + rest.hi / (2.0 * root);

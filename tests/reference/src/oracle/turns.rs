@@ -22,7 +22,7 @@ fn end(width: f64, xi: f64) -> (f64, Dd) {
 }
 
 /// The integral of sinc squared from `q` to `q` + `rest`, to the third order in the rest.
-fn beyond((q, rest): (f64, Dd)) -> Dd {
+pub(super) fn beyond((q, rest): (f64, Dd)) -> Dd {
     if q.abs() < 1e-12 {
         // The integrand is 1 to more digits than the rest has.
         return rest;

@@ -1,4 +1,8 @@
-//! How methods are called: one shape of inputs and results each, over rows of f64 in row-major order.
+//! How methods are called: rows of f64 in row-major order, handed over in the shape that the method takes.
+//!
+//! The functions of one variable stand as plain pointers, for the tests that sweep them. Every other shape is a generic
+//! wrapper behind one reference: a row of inputs is converted once, before the clock starts, and a timed pass calls the
+//! method's own pointer in a loop compiled for its shape.
 
 use super::Precision;
 use num_complex::Complex;
@@ -10,230 +14,223 @@ use std::ops::Range;
 pub enum Call {
     /// One f64 in, one out.
     F64(fn(f64) -> f64),
-    /// Two f64 in (an interval), one out.
-    F64Pair(fn([f64; 2]) -> f64),
     /// One f32 in, one out.
     F32(fn(f32) -> f32),
-    /// Two f32 in, one out.
-    F32Pair(fn(f32, f32) -> f32),
-    /// Three f32 in, one out.
-    F32Triple(fn(f32, f32, f32) -> f32),
     /// A slice of f64 in, a slice of the same length out.
     F64Slice(fn(&[f64], &mut [f64])),
-    /// A slice of f64 intervals in.
-    F64PairSlice(fn(&[[f64; 2]], &mut [f64])),
     /// A slice of f32 in.
     F32Slice(fn(&[f32], &mut [f32])),
-    /// A slice of f32 intervals in.
-    F32PairSlice(fn(&[[f32; 2]], &mut [f32])),
-    /// A complex f64 in, a complex one out.
-    ComplexF64(fn(Complex<f64>) -> Complex<f64>),
-    /// Three f64 in, a complex one out.
-    F64TripleComplex(fn([f64; 3]) -> Complex<f64>),
-    /// Real and imaginary part in f32 in, a complex f32 out.
-    ComplexF32(fn(f32, f32) -> Complex<f32>),
-    /// Three f32 in, a complex one out.
-    F32TripleComplex(fn([f32; 3]) -> Complex<f32>),
-    /// Five f32 in, a complex one out.
-    F32QuintupleComplex(fn([f32; 5]) -> Complex<f32>),
-    /// A slice of complex f64 in, a slice of the same length out.
-    ComplexF64Slice(fn(&[Complex<f64>], &mut [Complex<f64>])),
-    /// A slice of f64 triples in, complex f64 out.
-    F64TripleComplexSlice(fn(&[[f64; 3]], &mut [Complex<f64>])),
-    /// A slice of complex f32 in.
-    ComplexF32Slice(fn(&[Complex<f32>], &mut [Complex<f32>])),
-    /// A slice of f32 triples in, complex f32 out.
-    F32TripleComplexSlice(fn(&[[f32; 3]], &mut [Complex<f32>])),
+    /// Any other shape: made by [`Call::row`] and [`Call::rows`].
+    Shaped(&'static dyn Shape),
+}
+
+/// Something to time: evaluates the rows of a range each time it is called.
+pub type Pass = Box<dyn FnMut(Range<usize>)>;
+
+/// A call of any shape.
+pub trait Shape: Send + Sync {
+    /// Whether it takes slices.
+    fn is_slice(&self) -> bool;
+    /// The precision of inputs and results.
+    fn precision(&self) -> Precision;
+    /// Numbers in a row of inputs.
+    fn columns(&self) -> usize;
+    /// Numbers in a row of results.
+    fn results(&self) -> usize;
+    /// Results for rows, both in row-major order.
+    fn evaluate(&self, rows: &[f64]) -> Vec<f64>;
+    /// Something to time on these rows.
+    fn pass(&self, rows: &[f64]) -> Pass;
+}
+
+/// A number format of inputs and results.
+pub trait Number: Copy + Default + Send + Sync + 'static {
+    /// Its precision.
+    const PRECISION: Precision;
+    /// The nearest number of the format.
+    fn nearest(x: f64) -> Self;
+    /// The number as f64.
+    fn wide(self) -> f64;
+}
+
+impl Number for f64 {
+    const PRECISION: Precision = Precision::F64;
+    fn nearest(x: f64) -> f64 {
+        x
+    }
+    fn wide(self) -> f64 {
+        self
+    }
+}
+
+impl Number for f32 {
+    const PRECISION: Precision = Precision::F32;
+    fn nearest(x: f64) -> f32 {
+        x as f32
+    }
+    fn wide(self) -> f64 {
+        f64::from(self)
+    }
+}
+
+/// A row of inputs: one number, a complex one, or an array.
+pub trait Input: Copy + Send + Sync + 'static {
+    /// Its number format.
+    type Number: Number;
+    /// Numbers in a row.
+    const COLUMNS: usize;
+    /// The row that these numbers make.
+    fn read(row: &[f64]) -> Self;
+}
+
+impl Input for f64 {
+    type Number = f64;
+    const COLUMNS: usize = 1;
+    fn read(row: &[f64]) -> f64 {
+        row[0]
+    }
+}
+
+impl Input for f32 {
+    type Number = f32;
+    const COLUMNS: usize = 1;
+    fn read(row: &[f64]) -> f32 {
+        row[0] as f32
+    }
+}
+
+impl<T: Number> Input for Complex<T> {
+    type Number = T;
+    const COLUMNS: usize = 2;
+    fn read(row: &[f64]) -> Complex<T> {
+        Complex::new(T::nearest(row[0]), T::nearest(row[1]))
+    }
+}
+
+impl<T: Number, const N: usize> Input for [T; N] {
+    type Number = T;
+    const COLUMNS: usize = N;
+    fn read(row: &[f64]) -> [T; N] {
+        std::array::from_fn(|i| T::nearest(row[i]))
+    }
 }
 
 /// A result: one number or a complex one.
-pub trait Value: Copy + Default + 'static {
+pub trait Value: Copy + Default + Send + Sync + 'static {
+    /// Numbers in it.
+    const PARTS: usize;
     /// Appends its parts, as f64.
     fn append(self, results: &mut Vec<f64>);
 }
 
 impl Value for f64 {
+    const PARTS: usize = 1;
     fn append(self, results: &mut Vec<f64>) {
         results.push(self);
     }
 }
 
 impl Value for f32 {
+    const PARTS: usize = 1;
     fn append(self, results: &mut Vec<f64>) {
         results.push(f64::from(self));
     }
 }
 
-impl<T: Value> Value for Complex<T> {
+impl<T: Number> Value for Complex<T> {
+    const PARTS: usize = 2;
     fn append(self, results: &mut Vec<f64>) {
-        self.re.append(results);
-        self.im.append(results);
+        results.extend([self.re.wide(), self.im.wide()]);
     }
 }
 
-/// Something done with a call whose shape of inputs and results is known.
-pub trait Visitor {
-    /// What comes of it.
-    type Output;
+/// A function of one row.
+struct Row<X, Y>(fn(X) -> Y);
 
-    /// A function of one row, and the rows.
-    fn scalar<X: Copy + 'static, Y: Value>(self, inputs: Vec<X>, f: impl Fn(X) -> Y + 'static) -> Self::Output;
-
-    /// A function of slices, and the rows.
-    fn slice<X: 'static, Y: Value>(self, inputs: Vec<X>, f: fn(&[X], &mut [Y])) -> Self::Output;
-}
+/// A function of slices of rows.
+struct Rows<X, Y>(fn(&[X], &mut [Y]));
 
 impl Call {
+    /// The call of a function of one row: of an array, a complex number, or one number.
+    pub fn row<X: Input, Y: Value>(f: fn(X) -> Y) -> Call {
+        Call::Shaped(Box::leak(Box::new(Row(f))))
+    }
+
+    /// The call of a function of a slice of rows.
+    pub fn rows<X: Input, Y: Value>(f: fn(&[X], &mut [Y])) -> Call {
+        Call::Shaped(Box::leak(Box::new(Rows(f))))
+    }
+
+    /// Does something with the shape.
+    fn with<R>(&self, act: impl FnOnce(&dyn Shape) -> R) -> R {
+        match *self {
+            Call::F64(f) => act(&Row(f)),
+            Call::F32(f) => act(&Row(f)),
+            Call::F64Slice(f) => act(&Rows(f)),
+            Call::F32Slice(f) => act(&Rows(f)),
+            Call::Shaped(shape) => act(shape),
+        }
+    }
+
     /// Whether it takes slices.
     pub fn is_slice(&self) -> bool {
-        matches!(
-            self,
-            Call::F64Slice(_)
-                | Call::F64PairSlice(_)
-                | Call::F32Slice(_)
-                | Call::F32PairSlice(_)
-                | Call::ComplexF64Slice(_)
-                | Call::F64TripleComplexSlice(_)
-                | Call::ComplexF32Slice(_)
-                | Call::F32TripleComplexSlice(_)
-        )
+        self.with(|shape| shape.is_slice())
     }
 
     /// The precision of inputs and results.
     pub fn precision(&self) -> Precision {
-        match self {
-            Call::F64(_)
-            | Call::F64Pair(_)
-            | Call::F64Slice(_)
-            | Call::F64PairSlice(_)
-            | Call::ComplexF64(_)
-            | Call::F64TripleComplex(_)
-            | Call::ComplexF64Slice(_)
-            | Call::F64TripleComplexSlice(_) => Precision::F64,
-            Call::F32(_)
-            | Call::F32Pair(_)
-            | Call::F32Triple(_)
-            | Call::F32Slice(_)
-            | Call::F32PairSlice(_)
-            | Call::ComplexF32(_)
-            | Call::F32TripleComplex(_)
-            | Call::F32QuintupleComplex(_)
-            | Call::ComplexF32Slice(_)
-            | Call::F32TripleComplexSlice(_) => Precision::F32,
-        }
+        self.with(|shape| shape.precision())
     }
 
     /// Numbers in a row of inputs.
     pub fn columns(&self) -> usize {
-        match self {
-            Call::F64(_) | Call::F32(_) | Call::F64Slice(_) | Call::F32Slice(_) => 1,
-            Call::F64Pair(_)
-            | Call::F32Pair(_)
-            | Call::F64PairSlice(_)
-            | Call::F32PairSlice(_)
-            | Call::ComplexF64(_)
-            | Call::ComplexF32(_)
-            | Call::ComplexF64Slice(_)
-            | Call::ComplexF32Slice(_) => 2,
-            Call::F32Triple(_)
-            | Call::F64TripleComplex(_)
-            | Call::F32TripleComplex(_)
-            | Call::F64TripleComplexSlice(_)
-            | Call::F32TripleComplexSlice(_) => 3,
-            Call::F32QuintupleComplex(_) => 5,
-        }
+        self.with(|shape| shape.columns())
     }
 
     /// Numbers in a row of results.
     pub fn results(&self) -> usize {
-        match self {
-            Call::F64(_)
-            | Call::F64Pair(_)
-            | Call::F32(_)
-            | Call::F32Pair(_)
-            | Call::F32Triple(_)
-            | Call::F64Slice(_)
-            | Call::F64PairSlice(_)
-            | Call::F32Slice(_)
-            | Call::F32PairSlice(_) => 1,
-            _ => 2,
-        }
-    }
-
-    /// Hands the call and `rows` (row-major; each number rounded to f32 for an f32 call) to a visitor, in their shape.
-    pub fn visit<V: Visitor>(&self, rows: &[f64], visitor: V) -> V::Output {
-        match *self {
-            Call::F64(f) => visitor.scalar(rows.to_vec(), f),
-            Call::F64Pair(f) => visitor.scalar(wide::<2>(rows), f),
-            Call::F32(f) => visitor.scalar(narrow::<1>(rows), move |[x]| f(x)),
-            Call::F32Pair(f) => visitor.scalar(narrow::<2>(rows), move |[a, b]| f(a, b)),
-            Call::F32Triple(f) => visitor.scalar(narrow::<3>(rows), move |[a, b, c]| f(a, b, c)),
-            Call::F64Slice(f) => visitor.slice(rows.to_vec(), f),
-            Call::F64PairSlice(f) => visitor.slice(wide::<2>(rows), f),
-            Call::F32Slice(f) => visitor.slice(rows.iter().map(|&x| x as f32).collect(), f),
-            Call::F32PairSlice(f) => visitor.slice(narrow::<2>(rows), f),
-            Call::ComplexF64(f) => visitor.scalar(complex(wide::<2>(rows)), f),
-            Call::F64TripleComplex(f) => visitor.scalar(wide::<3>(rows), f),
-            Call::ComplexF32(f) => visitor.scalar(narrow::<2>(rows), move |[re, im]| f(re, im)),
-            Call::F32TripleComplex(f) => visitor.scalar(narrow::<3>(rows), f),
-            Call::F32QuintupleComplex(f) => visitor.scalar(narrow::<5>(rows), f),
-            Call::ComplexF64Slice(f) => visitor.slice(complex(wide::<2>(rows)), f),
-            Call::F64TripleComplexSlice(f) => visitor.slice(wide::<3>(rows), f),
-            Call::ComplexF32Slice(f) => visitor.slice(complex(narrow::<2>(rows)), f),
-            Call::F32TripleComplexSlice(f) => visitor.slice(narrow::<3>(rows), f),
-        }
+        self.with(|shape| shape.results())
     }
 
     /// Results for `rows`, both in row-major order. An f32 call gets each number rounded to f32.
     pub fn evaluate(&self, rows: &[f64]) -> Vec<f64> {
-        self.visit(rows, Evaluate)
+        self.with(|shape| shape.evaluate(rows))
     }
 
     /// Something to time: evaluates the rows of a range each time it is called.
-    pub fn pass(&self, rows: &[f64]) -> Box<dyn FnMut(Range<usize>)> {
-        self.visit(rows, Pass)
+    pub fn pass(&self, rows: &[f64]) -> Pass {
+        self.with(|shape| shape.pass(rows))
     }
 }
 
-fn wide<const N: usize>(rows: &[f64]) -> Vec<[f64; N]> {
-    rows.as_chunks::<N>().0.to_vec()
+fn read<X: Input>(rows: &[f64]) -> Vec<X> {
+    rows.chunks_exact(X::COLUMNS).map(X::read).collect()
 }
 
-fn narrow<const N: usize>(rows: &[f64]) -> Vec<[f32; N]> {
-    let rows = rows.as_chunks::<N>().0.iter();
-    rows.map(|row| row.map(|x| x as f32)).collect()
+fn written<Y: Value>(values: Vec<Y>) -> Vec<f64> {
+    let mut results = Vec::with_capacity(Y::PARTS * values.len());
+    values.into_iter().for_each(|y| y.append(&mut results));
+    results
 }
 
-fn complex<T>(pairs: Vec<[T; 2]>) -> Vec<Complex<T>> {
-    pairs.into_iter().map(|[re, im]| Complex::new(re, im)).collect()
-}
-
-struct Evaluate;
-
-impl Visitor for Evaluate {
-    type Output = Vec<f64>;
-
-    fn scalar<X: Copy + 'static, Y: Value>(self, inputs: Vec<X>, f: impl Fn(X) -> Y + 'static) -> Vec<f64> {
-        let mut results = Vec::with_capacity(2 * inputs.len());
-        inputs.into_iter().for_each(|x| f(x).append(&mut results));
-        results
+impl<X: Input, Y: Value> Shape for Row<X, Y> {
+    fn is_slice(&self) -> bool {
+        false
     }
-
-    fn slice<X: 'static, Y: Value>(self, inputs: Vec<X>, f: fn(&[X], &mut [Y])) -> Vec<f64> {
-        let mut values = vec![Y::default(); inputs.len()];
-        f(&inputs, &mut values);
-        let mut results = Vec::with_capacity(2 * inputs.len());
-        values.into_iter().for_each(|y| y.append(&mut results));
-        results
+    fn precision(&self) -> Precision {
+        X::Number::PRECISION
     }
-}
-
-struct Pass;
-
-impl Visitor for Pass {
-    type Output = Box<dyn FnMut(Range<usize>)>;
-
-    fn scalar<X: Copy + 'static, Y: Value>(self, inputs: Vec<X>, f: impl Fn(X) -> Y + 'static) -> Self::Output {
+    fn columns(&self) -> usize {
+        X::COLUMNS
+    }
+    fn results(&self) -> usize {
+        Y::PARTS
+    }
+    fn evaluate(&self, rows: &[f64]) -> Vec<f64> {
+        written(read(rows).into_iter().map(self.0).collect())
+    }
+    fn pass(&self, rows: &[f64]) -> Pass {
+        let (f, inputs) = (self.0, read::<X>(rows));
         let mut results = vec![Y::default(); inputs.len()];
         Box::new(move |range| {
             let f = black_box(&f);
@@ -244,8 +241,29 @@ impl Visitor for Pass {
             black_box(results);
         })
     }
+}
 
-    fn slice<X: 'static, Y: Value>(self, inputs: Vec<X>, f: fn(&[X], &mut [Y])) -> Self::Output {
+impl<X: Input, Y: Value> Shape for Rows<X, Y> {
+    fn is_slice(&self) -> bool {
+        true
+    }
+    fn precision(&self) -> Precision {
+        X::Number::PRECISION
+    }
+    fn columns(&self) -> usize {
+        X::COLUMNS
+    }
+    fn results(&self) -> usize {
+        Y::PARTS
+    }
+    fn evaluate(&self, rows: &[f64]) -> Vec<f64> {
+        let inputs = read::<X>(rows);
+        let mut values = vec![Y::default(); inputs.len()];
+        self.0(&inputs, &mut values);
+        written(values)
+    }
+    fn pass(&self, rows: &[f64]) -> Pass {
+        let (f, inputs) = (self.0, read::<X>(rows));
         let mut results = vec![Y::default(); inputs.len()];
         Box::new(move |range| {
             let results = &mut results[range.clone()];
@@ -264,24 +282,49 @@ mod tests {
     #[test]
     fn columns_results_and_precision_are_those_of_the_shape() {
         let swap = |z: Complex<f64>| Complex::new(z.im, z.re);
-        let call = Call::ComplexF64(swap);
+        let call = Call::row(swap);
         assert_eq!(call.evaluate(&[1.0, 2.0, 3.0, 4.0]), [2.0, 1.0, 4.0, 3.0]);
-        let calls = [
-            call,
-            Call::F64TripleComplex(|[a, b, c]| Complex::new(a + b, c)),
-            Call::ComplexF32(Complex::new),
-            Call::F32TripleComplex(|[a, b, c]| Complex::new(a + b, c)),
-            Call::F32QuintupleComplex(|[a, b, c, d, e]| Complex::new(a + b + c, d + e)),
-            Call::ComplexF64Slice(|x, out| out.copy_from_slice(x)),
-            Call::F32TripleComplexSlice(|_, out| out.fill(Complex::new(0.1, 0.2))),
-            Call::F64Pair(|[a, b]| a + b),
-            Call::F32(|x| x),
+        let calls: [(Call, usize, usize, bool); 8] = [
+            (call, 2, 2, false),
+            (Call::row(|[a, b, c]: [f64; 3]| Complex::new(a + b, c)), 3, 2, false),
+            (Call::row(|x: [f32; 5]| Complex::new(x[0] + x[4], x[2])), 5, 2, false),
+            (Call::row(|x: [f64; 10]| x.iter().sum::<f64>()), 10, 1, false),
+            (
+                Call::rows(|x: &[[f32; 6]], out| out.iter_mut().zip(x).for_each(|(o, x)| *o = x[0] + x[5])),
+                6,
+                1,
+                true,
+            ),
+            (
+                Call::rows(|x: &[Complex<f64>], out: &mut [Complex<f64>]| out.copy_from_slice(x)),
+                2,
+                2,
+                true,
+            ),
+            (Call::F32(|x| x), 1, 1, false),
+            (Call::F64Slice(|x, out| out.copy_from_slice(x)), 1, 1, true),
         ];
-        for call in calls {
+        for (call, columns, width, slice) in calls {
+            assert_eq!(
+                (call.columns(), call.results(), call.is_slice()),
+                (columns, width, slice)
+            );
             let results = call.evaluate(&ROWS);
-            assert_eq!(results.len(), ROWS.len() / call.columns() * call.results());
+            assert_eq!(results.len(), ROWS.len() / columns * width);
             let single = results.iter().all(|&x| f64::from(x as f32) == x);
             assert_eq!(single, call.precision() == Precision::F32);
         }
+    }
+
+    #[test]
+    fn a_pass_evaluates_the_rows_of_its_range_alone() {
+        use std::sync::atomic::{AtomicUsize, Ordering};
+        static CALLS: AtomicUsize = AtomicUsize::new(0);
+        let call = Call::row(|[a, b, c]: [f64; 3]| {
+            CALLS.fetch_add(1, Ordering::Relaxed);
+            a + b + c
+        });
+        call.pass(&ROWS)(2..5);
+        assert_eq!(CALLS.load(Ordering::Relaxed), 3);
     }
 }

@@ -5,11 +5,10 @@ use super::faddeeva::{own, peer, region};
 use super::{Call, Method, Metric, Origin};
 use crate::generate::erf_differences as rows;
 use crate::{as_printed, peers};
-use Call::F32TripleComplexSlice;
-use Call::{F32TripleComplex, F64TripleComplex};
 use Metric::{Eps, Peak};
 use iridescence::special;
 use iridescence::{shader, simd};
+use num_complex::Complex;
 use std::f64::consts::{FRAC_2_SQRT_PI, PI};
 
 const DIFFERENCE: &str = "erf_difference_scaled";
@@ -34,7 +33,7 @@ pub(super) fn peak(row: &[f64]) -> f64 {
 }
 
 /// The f32 form that takes its phases in turns, the turns a b/pi given as a scene would: from more than f32.
-fn in_turns([from, to, b]: [f32; 3]) -> num_complex::Complex<f32> {
+fn in_turns([from, to, b]: [f32; 3]) -> Complex<f32> {
     let turns = |a: f32| {
         let turns = f64::from(a) * f64::from(b) / PI;
         (turns - turns.round()) as f32
@@ -55,7 +54,7 @@ fn own_methods() -> Vec<Method> {
         region(rows::SCRATCH, Eps, 150.0),
         region(rows::ANY, Peak, PEAK_F64),
     ];
-    let call = F64TripleComplex(|[a1, a2, b]| special::erf_difference_scaled(a1, a2, b));
+    let call = Call::row(|[a1, a2, b]: [f64; 3]| special::erf_difference_scaled(a1, a2, b));
     vec![own(DIFFERENCE, "accurate", "iridescence f64", call, &double)]
 }
 
@@ -66,23 +65,21 @@ fn own_methods_f32() -> Vec<Method> {
         ours(
             "accurate",
             "iridescence f32",
-            F32TripleComplex(|[from, to, b]| complex(shader::erf_difference_scaled(from, to, b))),
+            Call::row(|[from, to, b]: [f32; 3]| complex(shader::erf_difference_scaled(from, to, b))),
         ),
-        ours(
-            "turns",
-            "iridescence f32, phases given in turns",
-            F32TripleComplex(in_turns),
-        ),
+        ours("turns", "iridescence f32, phases given in turns", Call::row(in_turns)),
         ours(
             "accurate",
             "iridescence f32 slices",
-            F32TripleComplexSlice(simd::shader::erf_difference_scaled),
+            Call::rows(simd::shader::erf_difference_scaled),
         ),
     ]
 }
 
 fn others() -> Vec<Method> {
-    let other = |method, label, call| peer(DIFFERENCE, method, label, F64TripleComplex(call), rows::SCRATCH, &[]);
+    let other = |method, label, call: fn([f64; 3]) -> Complex<f64>| {
+        peer(DIFFERENCE, method, label, Call::row(call), rows::SCRATCH, &[])
+    };
     #[allow(unused_mut, reason = "libcerf is added only with its feature")]
     let mut methods = vec![
         Method {
@@ -99,7 +96,7 @@ fn others() -> Vec<Method> {
                 DIFFERENCE,
                 "as_printed",
                 "VWH18 Eq. 5 in f32",
-                F32TripleComplex(as_printed::erf_difference_f32),
+                Call::row(as_printed::erf_difference_f32),
                 rows::SCRATCH_F32,
                 &[],
             )

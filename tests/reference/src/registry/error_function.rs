@@ -3,13 +3,13 @@
 //! Most libraries have erf of a real argument only. They are methods of the function `erf`, beside ours and our complex
 //! one at z = x.
 
-use super::faddeeva::{own, peer, region};
+use super::faddeeva::{Plane, own, peer, region};
 use super::{Call, Generator, Method, Metric};
 use crate::generate::complex_points as points;
 use crate::generate::random::Random;
 use crate::generate::worst;
 use crate::peers::error_function as peers;
-use Call::{ComplexF64, F64, F64Slice};
+use Call::{F64, F64Slice};
 use Metric::{Eps, Ulp};
 use iridescence::{simd, special};
 use num_complex::Complex;
@@ -67,14 +67,14 @@ fn own_methods() -> Vec<Method> {
             ERF_COMPLEX,
             "accurate",
             "iridescence f64",
-            ComplexF64(special::erf_complex),
+            Call::row(special::erf_complex),
             &erf,
         ),
         own(
             ERFC_COMPLEX,
             "accurate",
             "iridescence f64",
-            ComplexF64(special::erfc_complex),
+            Call::row(special::erfc_complex),
             &[region(points::WHOLE_PLANE, Eps, 8.0)],
         ),
         own(
@@ -109,19 +109,19 @@ fn own_methods() -> Vec<Method> {
 }
 
 fn others() -> Vec<Method> {
-    let complex = |method, label, call| {
+    let complex = |method, label, call: Plane| {
         let further = [points::ZEROS_OF_ERF];
         peer(
             ERF_COMPLEX,
             method,
             label,
-            ComplexF64(call),
+            Call::row(call),
             points::WHOLE_PLANE,
             &further,
         )
     };
     let complement =
-        |method, label, call| peer(ERFC_COMPLEX, method, label, ComplexF64(call), points::WHOLE_PLANE, &[]);
+        |method, label, call: Plane| peer(ERFC_COMPLEX, method, label, Call::row(call), points::WHOLE_PLANE, &[]);
     let real = |method, label, call| peer(ERF, method, label, F64(call), ERF_LINE, &[]);
     let scaled = |method, label, call| peer(ERFCX, method, label, F64(call), points::ERFCX_LINE, &[]);
     #[allow(unused_mut, reason = "GSL and libcerf are added only with their features")]

@@ -3,13 +3,15 @@
 use super::{Budget, Call, Method, Metric, Origin, Region};
 use crate::generate::{Generator, complex_points as points};
 use crate::peers::error_function as peers;
-use Call::{ComplexF32, ComplexF32Slice, ComplexF64, ComplexF64Slice};
 use Metric::{Eps, Relative, Ulp};
 use iridescence::{shader, simd, special};
 use num_complex::Complex;
 
 const W: &str = "faddeeva_w";
 const DERIVATIVE: &str = "faddeeva_w_derivative";
+
+/// A complex function of a complex number.
+pub(super) type Plane = fn(Complex<f64>) -> Complex<f64>;
 
 /// A complex result of the f32 subset as a complex number.
 pub(super) fn complex(z: shader::Complex) -> Complex<f32> {
@@ -98,57 +100,56 @@ fn own_methods() -> Vec<Method> {
     ];
     let derivative = [region(points::UPPER_HALF_PLANE, Eps, 48.0)];
     let (fine, medium, coarse) = (tier(1e-10), tier(4e-7), tier(5e-5));
-    let w = |z: Complex<f64>| special::faddeeva_w(z);
     let own_w = |method, label, call, regions: &[Region]| own(W, method, label, call, regions);
     vec![
-        own_w("accurate", "iridescence f64", ComplexF64(w), &accurate),
+        own_w("accurate", "iridescence f64", Call::row(special::faddeeva_w), &accurate),
         own_w(
             "fine",
             "iridescence f64 1e-10 tier",
-            ComplexF64(special::faddeeva_w_fine),
+            Call::row(special::faddeeva_w_fine),
             &fine,
         ),
         own_w(
             "medium",
             "iridescence f64 4e-7 tier",
-            ComplexF64(special::faddeeva_w_medium),
+            Call::row(special::faddeeva_w_medium),
             &medium,
         ),
         own_w(
             "coarse",
             "iridescence f64 5e-5 tier",
-            ComplexF64(special::faddeeva_w_coarse),
+            Call::row(special::faddeeva_w_coarse),
             &coarse,
         ),
         own_w(
             "accurate",
             "iridescence f64 slices",
-            ComplexF64Slice(simd::faddeeva_w),
+            Call::rows(simd::faddeeva_w),
             &accurate,
         ),
         own_w(
             "fine",
             "iridescence f64 1e-10 slices",
-            ComplexF64Slice(simd::faddeeva_w_fine),
+            Call::rows(simd::faddeeva_w_fine),
             &fine,
         ),
         own_w(
             "medium",
             "iridescence f64 4e-7 slices",
-            ComplexF64Slice(simd::faddeeva_w_medium),
+            Call::rows(simd::faddeeva_w_medium),
             &medium,
         ),
         own_w(
             "coarse",
             "iridescence f64 5e-5 slices",
-            ComplexF64Slice(simd::faddeeva_w_coarse),
+            Call::rows(simd::faddeeva_w_coarse),
             &coarse,
         ),
         own(
             DERIVATIVE,
             "accurate",
             "iridescence f64",
-            ComplexF64(special::faddeeva_w_derivative),
+            Call::row(special::faddeeva_w_derivative),
             &derivative,
         ),
     ]
@@ -165,25 +166,25 @@ fn own_methods_f32() -> Vec<Method> {
         own_w(
             "accurate",
             "iridescence f32",
-            ComplexF32(|re, im| complex(shader::faddeeva_w(re, im))),
+            Call::row(|[re, im]: [f32; 2]| complex(shader::faddeeva_w(re, im))),
             &single,
         ),
         own_w(
             "coarse",
             "iridescence f32 5e-5 tier",
-            ComplexF32(|re, im| complex(shader::faddeeva_w_coarse(re, im))),
+            Call::row(|[re, im]: [f32; 2]| complex(shader::faddeeva_w_coarse(re, im))),
             &coarse_f32,
         ),
         own_w(
             "accurate",
             "iridescence f32 slices",
-            ComplexF32Slice(simd::shader::faddeeva_w),
+            Call::rows(simd::shader::faddeeva_w),
             &single,
         ),
         own_w(
             "coarse",
             "iridescence f32 5e-5 slices",
-            ComplexF32Slice(simd::shader::faddeeva_w_coarse),
+            Call::rows(simd::shader::faddeeva_w_coarse),
             &coarse_f32,
         ),
     ]
@@ -193,7 +194,7 @@ fn own_methods_f32() -> Vec<Method> {
 fn others() -> Vec<Method> {
     let further = [points::LOWER_HALF_PLANE, points::ZEROS_OF_W];
     let upper = points::UPPER_HALF_PLANE;
-    let w = |method, label, call| peer(W, method, label, ComplexF64(call), upper, &further);
+    let w = |method, label, call: Plane| peer(W, method, label, Call::row(call), upper, &further);
     #[allow(unused_mut, reason = "libcerf is added only with its feature")]
     let mut methods = vec![
         w(
@@ -206,7 +207,7 @@ fn others() -> Vec<Method> {
             W,
             "errorfunctions_rounded",
             "errorfunctions 0.2.0 in f64, rounded to f32",
-            ComplexF32(peers::faddeeva_w_rounded),
+            Call::row(|[re, im]: [f32; 2]| peers::faddeeva_w_rounded(re, im)),
             points::UPPER_HALF_PLANE_F32,
             &[],
         ),
@@ -214,7 +215,7 @@ fn others() -> Vec<Method> {
             DERIVATIVE,
             "errorfunctions",
             "2i/sqrt(pi) - 2 z w, w of errorfunctions 0.2.0",
-            ComplexF64(peers::faddeeva_w_derivative_errorfunctions),
+            Call::row(peers::faddeeva_w_derivative_errorfunctions),
             upper,
             &[],
         ),
@@ -226,7 +227,7 @@ fn others() -> Vec<Method> {
             DERIVATIVE,
             "libcerf",
             "2i/sqrt(pi) - 2 z w, w of libcerf 1.3 (Debian)",
-            ComplexF64(crate::peers::libcerf::faddeeva_w_derivative),
+            Call::row(crate::peers::libcerf::faddeeva_w_derivative),
             upper,
             &[],
         ),

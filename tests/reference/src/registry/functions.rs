@@ -1,6 +1,6 @@
 //! The functions, their columns and their truths.
 
-use super::{Function, Oracle, erf_difference, error_function};
+use super::{Function, Oracle, Peak, erf_difference, error_function};
 use crate::generate::points;
 use crate::oracle;
 
@@ -11,7 +11,7 @@ const ELEMENTARY: &str = "double-double, about 30 digits, held against arbitrary
 const ORACLE: &str = "double-double, about 30 digits, held against arbitrary precision and Arb";
 
 /// A function of nothing in particular, for the fields that most functions share.
-const PLAIN: Function = Function {
+pub(super) const PLAIN: Function = Function {
     name: "",
     summary: "",
     inputs: &[],
@@ -19,11 +19,12 @@ const PLAIN: Function = Function {
     oracle: Oracle::Real(|_| crate::metrics::Reference::exact(f64::NAN)),
     oracle_name: "",
     peak: None,
+    refuse: |_| None,
     timed: None,
     thinning: 1,
 };
 
-pub(super) static FUNCTIONS: [Function; 17] = [
+pub(super) const FUNCTIONS: [Function; 17] = [
     Function {
         name: "sine_integral",
         summary: "Si(x), the integral of sin t/t from 0 to x",
@@ -118,7 +119,11 @@ pub(super) static FUNCTIONS: [Function; 17] = [
         outputs: PLANE,
         oracle: Oracle::Complex(|a| oracle::erf_difference_scaled(a[0], a[1], a[2])),
         oracle_name: ORACLE,
-        peak: Some(erf_difference::peak),
+        peak: Some(Peak {
+            of: erf_difference::peak,
+            words: "the value at b = 0",
+            largest: Some(2.0),
+        }),
         thinning: 10,
         ..PLAIN
     },

@@ -3,7 +3,7 @@
 use super::own::domain_of_others;
 use super::{Call, Method, Origin, Precision};
 use crate::peers;
-use Call::{F32, F32Pair, F64, F64Pair};
+use Call::{F32, F64};
 
 const SI: &str = "sine_integral";
 const ARC: &str = "sinc_squared_integral";
@@ -55,25 +55,25 @@ pub(super) fn methods() -> Vec<Method> {
             ARC,
             "cephes_antiderivative",
             "Eq. 27 with Cephes Si",
-            F64Pair(peers::sinc_squared_integral_cephes),
+            Call::row(peers::sinc_squared_integral_cephes),
         ),
         peer(
             ARC,
             "galsim_antiderivative",
             "Eq. 27 with GalSim Si",
-            F64Pair(peers::sinc_squared_integral_galsim),
+            Call::row(peers::sinc_squared_integral_galsim),
         ),
         peer(
             ARC,
             "quadrature",
             "double exponential (quadrature 0.1.2)",
-            F64Pair(peers::sinc_squared_integral_quadrature),
+            Call::row(peers::sinc_squared_integral_quadrature),
         ),
         peer(
             ARC,
             "rounded_antiderivative",
             "Eq. 27 with Si rounded to f32",
-            F32Pair(peers::sinc_squared_integral_rounded),
+            Call::row(|[a, b]: [f32; 2]| peers::sinc_squared_integral_rounded(a, b)),
         ),
     ];
     #[cfg(feature = "gsl")]
@@ -83,7 +83,7 @@ pub(super) fn methods() -> Vec<Method> {
             ARC,
             "gsl_antiderivative",
             "Eq. 27 with GSL Si",
-            F64Pair(peers::sinc_squared_integral_gsl),
+            Call::row(peers::sinc_squared_integral_gsl),
         ),
     ]);
     methods

@@ -1,7 +1,4 @@
-//! Published formulas exactly as printed, with the platform's mathematics: what a reader gets who types them in.
-//!
-//! VWH18: Velinov, Werner, Hullin, Real-Time Rendering of Wave-Optical Effects on Scratched Surfaces, 2018.
-//! WVJH17: Werner, Velinov, Jakob, Hullin, Scratch Iridescence: Wave-Optical Rendering of Diffractive Surface Structure, 2017.
+//! Sine integral, band integral and difference of error functions: VWH18 Eqs. 5, 27 and 29, WVJH17 Eqs. 23 and 24.
 
 use errorfunctions::ComplexErrorFunctions;
 use num_complex::Complex;
