@@ -144,6 +144,24 @@ fn the_densities_are_those_of_f64() {
 }
 
 #[test]
+fn the_densities_along_the_tangent_are_those_of_f64_however_low_the_direction() {
+    for strategy in STRATEGIES {
+        for surface in surfaces() {
+            for z in (2..=30).map(|n| 10f32.powi(-n)) {
+                let (incident, outgoing) = ([-0.999_999_5, 0.001, 0.0], [1.0, 0.0, z]);
+                let value = f64::from((strategy.pdf)(surface, incident, outgoing));
+                let truth = (strategy.truth)(surface, incident.map(f64::from), outgoing.map(f64::from));
+                assert!(
+                    (value - truth).abs() <= 1e-4 * truth + 1e-30,
+                    "{} {surface:?} {z:e}: {value:e} {truth:e}",
+                    strategy.name
+                );
+            }
+        }
+    }
+}
+
+#[test]
 fn a_sample_has_the_density_it_says_and_is_a_unit_vector() {
     let mut random = Random::new(32);
     for strategy in STRATEGIES {

@@ -114,6 +114,14 @@ pub(super) fn lobe_lorentz_angle(c: f32, b: f32, g: f32) -> f32 {
     angle_from_axis(1.0 + low * high, c * (g + g))
 }
 
+/// Returns the length of (b, n) without underflow at grazing angles: the squares are taken of 2^40 times each.
+#[inline(always)]
+pub(super) fn lobe_reach(b: f32, n: f32) -> f32 {
+    let wide = b * 1099511627776.0;
+    let high = n * 1099511627776.0;
+    sqrt(wide * wide + high * high) * 9.094947e-13
+}
+
 /// Returns the density of the lobe of a scratch, in 1/sr: a Gaussian along it, a Lorentzian across.
 ///
 /// Radius, wavelength and width in um; directions as in [`base_lobe_pdf`].
@@ -134,7 +142,7 @@ pub fn scratch_lobe_pdf(
     let c = ARC_PI * (width / wavelength);
     let along = q * (incident_t + outgoing_t);
     let x = c * (incident_b + outgoing_b);
-    let g = sqrt(outgoing_b * outgoing_b + outgoing_n * outgoing_n);
+    let g = lobe_reach(outgoing_b, outgoing_n);
     let curved = c / (lobe_lorentz_angle(c, incident_b, g) * (1.0 + x * x));
     let across = select(curved, 0.5 / g, c < LOBE_NARROW_LIMIT);
     let gaussian = q * (exponential(-(along * along)) * INVERSE_ROOT_PI);

@@ -19,8 +19,10 @@ pub struct Effort {
     pub points: usize,
     /// Points in each interval of the ulp plot.
     pub samples: usize,
-    /// Time for the timing of one function.
+    /// Longest time for the timing of one function.
     pub timing: Duration,
+    /// Time for each of its methods.
+    pub method: Duration,
 }
 
 /// Effort of a full run; `--check` repeats its errors.
@@ -28,12 +30,14 @@ pub const FULL: Effort = Effort {
     points: 1_000_000,
     samples: 24,
     timing: Duration::from_secs(3),
+    method: Duration::from_millis(250),
 };
 /// Effort of `--quick`.
 pub const QUICK: Effort = Effort {
     points: 4_000,
     samples: 3,
     timing: Duration::from_millis(500),
+    method: Duration::from_millis(50),
 };
 
 /// A bar on standard error, absent where that is no terminal.
@@ -119,7 +123,8 @@ pub fn times(entries: &mut [Entry], effort: Effort) {
     for f in functions() {
         progress.set_message(format!("time of {}", f.name));
         let methods: Vec<&Method> = methods_of(f.name).collect();
-        let ns = timing::measure(&methods, effort.timing, || progress.tick());
+        let budget = effort.timing.min(effort.method * methods.len() as u32);
+        let ns = timing::measure(&methods, budget, || progress.tick());
         for (m, &time) in methods.iter().zip(&ns) {
             let key = (m.function, m.method, m.precision, names::call(&m.call));
             let base = timing::baseline(&methods, m);

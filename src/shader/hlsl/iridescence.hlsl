@@ -520,9 +520,9 @@ HalfTurns ConstructHalfTurns(float arg0, float arg1) {
 // The error of the rest is at most 1e-7 for |x| to 1e4, and 2^-24 |x| beyond.
 HalfTurns reduce_half_turns(float x_1)
 {
-    float n = round((x_1 * INVERSE_PI));
-    float rest_4 = ((x_1 - (n * PI_HIGH)) - (n * PI_LOW));
-    float pairs = (n * 0.5);
+    float n_1 = round((x_1 * INVERSE_PI));
+    float rest_4 = ((x_1 - (n_1 * PI_HIGH)) - (n_1 * PI_LOW));
+    float pairs = (n_1 * 0.5);
     float parity = (1.0 - (4.0 * abs((pairs - round(pairs)))));
     const HalfTurns halfturns = ConstructHalfTurns(rest_4, parity);
     return halfturns;
@@ -598,13 +598,13 @@ SineCosine sine_cosine_turns(float turns)
 float exponential(float x_3)
 {
     float bounded = min(max(x_3, -104.0), 88.7);
-    float n_1 = round((bounded * LOG_TWO_E));
-    float r_3 = ((bounded - (n_1 * LN_TWO_HIGH)) - (n_1 * LN_TWO_LOW));
+    float n_2 = round((bounded * LOG_TWO_E));
+    float r_3 = ((bounded - (n_2 * LN_TWO_HIGH)) - (n_2 * LN_TWO_LOW));
     float e_1 = (EXPONENTIAL_A + (r_3 * (EXPONENTIAL_B + (r_3 * (EXPONENTIAL_C + (r_3 * (EXPONENTIAL_D + (r_3 * EXPONENTIAL_E))))))));
     float value_1 = (1.0 + (r_3 * (1.0 + (r_3 * e_1))));
-    float halved_2 = round((n_1 * 0.5));
+    float halved_2 = round((n_2 * 0.5));
     float first_9 = asfloat((asuint((halved_2 + EXPONENT_BIAS)) << 23u));
-    float second_3 = asfloat((asuint(((n_1 - halved_2) + EXPONENT_BIAS)) << 23u));
+    float second_3 = asfloat((asuint(((n_2 - halved_2) + EXPONENT_BIAS)) << 23u));
     return ((value_1 * first_9) * second_3);
 }
 
@@ -621,10 +621,10 @@ float sine_integral(float x_4)
     const HalfTurns _e24 = reduce_half_turns(bounded_1);
     const SineCosine _e26 = sine_cosine_near(_e24.rest);
     float s_5 = min(u_5, SQUARE_LIMIT);
-    float n_2 = ((s_5 * ((s_5 * ((s_5 * (s_5 + SI_F_A)) + SI_F_B)) + SI_F_C)) + SI_F_D);
+    float n_3 = ((s_5 * ((s_5 * ((s_5 * (s_5 + SI_F_A)) + SI_F_B)) + SI_F_C)) + SI_F_D);
     float d_1 = ((s_5 * ((s_5 * ((s_5 * (s_5 + SI_D_A)) + SI_D_B)) + SI_D_C)) + SI_D_D);
     float m_1 = ((s_5 * ((s_5 * (s_5 + SI_G_A)) + SI_G_B)) + SI_G_C);
-    float wave = (((_e26.cosine * n_2) + ((_e26.sine * bounded_1) * m_1)) / (bounded_1 * d_1));
+    float wave = (((_e26.cosine * n_3) + ((_e26.sine * bounded_1) * m_1)) / (bounded_1 * d_1));
     float tail = (HALF_PI - (_e24.parity * wave));
     float value_2 = ((y_6 < SI_BORDER) ? head : tail);
     float finite = ((y_6 >= PHASE_LIMIT) ? HALF_PI : value_2);
@@ -643,10 +643,10 @@ float sine_integral_medium(float x_5)
     const HalfTurns _e21 = reduce_half_turns(bounded_2);
     const SineCosine _e23 = sine_cosine_near_medium(_e21.rest);
     float s_6 = min(u_6, SQUARE_LIMIT);
-    float n_3 = ((s_6 * (s_6 + SI_MEDIUM_F_A)) + SI_MEDIUM_F_B);
+    float n_4 = ((s_6 * (s_6 + SI_MEDIUM_F_A)) + SI_MEDIUM_F_B);
     float d_2 = ((s_6 * (s_6 + SI_MEDIUM_D_A)) + SI_MEDIUM_D_B);
     float m_2 = (s_6 + SI_MEDIUM_G_A);
-    float wave_1 = (((_e23.cosine * n_3) + ((_e23.sine * bounded_2) * m_2)) / (bounded_2 * d_2));
+    float wave_1 = (((_e23.cosine * n_4) + ((_e23.sine * bounded_2) * m_2)) / (bounded_2 * d_2));
     float tail_1 = (HALF_PI - (_e21.parity * wave_1));
     float value_3 = ((y_7 < SI_MEDIUM_BORDER) ? head_1 : tail_1);
     const float _e53 = odd_continuation(x_5, value_3);
@@ -700,15 +700,15 @@ ArcEnds arc_ends(float first, float last)
     bool local = (bool)0;
 
     float a_7 = abs(first);
-    float b_9 = abs(last);
-    bool swap = (b_9 < a_7);
+    float b_10 = abs(last);
+    bool swap = (b_10 < a_7);
     if ((min(first, last) < 0.0)) {
         local = (max(first, last) > 0.0);
     } else {
         local = false;
     }
     bool _e16 = local;
-    const ArcEnds arcends = ConstructArcEnds((swap ? b_9 : a_7), (swap ? a_7 : b_9), _e16);
+    const ArcEnds arcends = ConstructArcEnds((swap ? b_10 : a_7), (swap ? a_7 : b_10), _e16);
     return arcends;
 }
 
@@ -1173,11 +1173,11 @@ PowerOfE ConstructPowerOfE(float arg0, float arg1, float arg2) {
 // The leading part may carry all its digits: it is reduced before the rest is added.
 PowerOfE power_of_e(float leading, float rest_2)
 {
-    float n_4 = round(((leading + rest_2) * LOG_TWO_E));
-    float r_4 = ((leading - (n_4 * LN_TWO_HIGH)) + (rest_2 - (n_4 * LN_TWO_LOW)));
+    float n_5 = round(((leading + rest_2) * LOG_TWO_E));
+    float r_4 = ((leading - (n_5 * LN_TWO_HIGH)) + (rest_2 - (n_5 * LN_TWO_LOW)));
     float e_2 = (EXPONENTIAL_A + (r_4 * (EXPONENTIAL_B + (r_4 * (EXPONENTIAL_C + (r_4 * (EXPONENTIAL_D + (r_4 * EXPONENTIAL_E))))))));
-    float halved_6 = round((n_4 * 0.5));
-    const PowerOfE powerofe = ConstructPowerOfE((1.0 + (r_4 * (1.0 + (r_4 * e_2)))), asfloat((asuint((halved_6 + EXPONENT_BIAS)) << 23u)), asfloat((asuint(((n_4 - halved_6) + EXPONENT_BIAS)) << 23u)));
+    float halved_6 = round((n_5 * 0.5));
+    const PowerOfE powerofe = ConstructPowerOfE((1.0 + (r_4 * (1.0 + (r_4 * e_2)))), asfloat((asuint((halved_6 + EXPONENT_BIAS)) << 23u)), asfloat((asuint(((n_5 - halved_6) + EXPONENT_BIAS)) << 23u)));
     return powerofe;
 }
 
@@ -1195,8 +1195,8 @@ float product_turns(float x_14, float y_1)
     float leading_2 = min(max((_e2 * _e3), -33554432.0), PHASE_LIMIT);
     float rest_6 = ((_e2 * (y_1 - _e3)) + ((x_14 - _e2) * y_1));
     float bounded_6 = min(max(rest_6, -33554432.0), PHASE_LIMIT);
-    float n_5 = round((leading_2 * INVERSE_PI));
-    float turns_3 = (((leading_2 - (n_5 * PI_HIGH)) - (n_5 * PI_LOW)) * INVERSE_PI);
+    float n_6 = round((leading_2 * INVERSE_PI));
+    float turns_3 = (((leading_2 - (n_6 * PI_HIGH)) - (n_6 * PI_LOW)) * INVERSE_PI);
     float small = (bounded_6 * INVERSE_PI);
     float sum = (turns_3 + (small - round(small)));
     return (sum - round(sum));
@@ -1433,9 +1433,9 @@ Complex erf_short_series(float middle_1, float b_1, float halved_1)
     float k_3 = (1.0 + (d_9 * (-0.33333334 + (d_9 * (0.1 + (d_9 * (-0.023809524 + (d_9 * (0.0046296297 - (d_9 * 0.00075757573))))))))));
     float l = (0.6666667 + (d_9 * (-0.4 + (d_9 * (0.14285715 + (d_9 * (-0.037037037 + (d_9 * 0.007575758))))))));
     float m_9 = (0.13333334 + (d_9 * (-0.0952381 + (d_9 * 0.037037037))));
-    float n_6 = (0.012698413 - (d_9 * 0.009876543));
-    float first_re = (m_9 + (q_re_1 * n_6));
-    float first_im = (q_im_1 * n_6);
+    float n_7 = (0.012698413 - (d_9 * 0.009876543));
+    float first_re = (m_9 + (q_re_1 * n_7));
+    float first_im = (q_im_1 * n_7);
     float second_re = (l + ((q_re_1 * first_re) - (q_im_1 * first_im)));
     float second_im = ((q_re_1 * first_im) + (q_im_1 * first_re));
     const Complex complex_9 = ConstructComplex((k_3 + ((q_re_1 * second_re) - (q_im_1 * second_im))), ((q_re_1 * second_im) + (q_im_1 * second_re)));
@@ -1904,10 +1904,10 @@ FootprintWindow footprint_window(float half_width, float edge)
 float halving_square(float x_18)
 {
     float y_13 = (x_18 * x_18);
-    float n_7 = round(y_13);
-    float r_7 = (n_7 - y_13);
+    float n_8 = round(y_13);
+    float r_7 = (n_8 - y_13);
     float series = (HALVING_A + (r_7 * (HALVING_B + (r_7 * (HALVING_C + (r_7 * (HALVING_D + (r_7 * HALVING_E))))))));
-    return ((1.0 + (r_7 * series)) * asfloat((asuint((EXPONENT_BIAS - n_7)) << 23u)));
+    return ((1.0 + (r_7 * series)) * asfloat((asuint((EXPONENT_BIAS - n_8)) << 23u)));
 }
 
 // Returns two nodes of the rule, mirror images within the window.
@@ -2153,6 +2153,15 @@ float lobe_lorentz_angle(float c_3, float b_8, float g)
     return _e12;
 }
 
+// Returns the length of (b, n) without underflow at grazing angles: the squares are taken of 2^40
+// times each.
+float lobe_reach(float b_9, float n)
+{
+    float wide_1 = (b_9 * 1099511600000.0);
+    float high_4 = (n * 1099511600000.0);
+    return (sqrt(((wide_1 * wide_1) + (high_4 * high_4))) * 9.094947e-13);
+}
+
 // Returns the density of the lobe of a scratch, in 1/sr: a Gaussian along it, a Lorentzian across.
 //
 // Radius, wavelength and width in um; directions as in [`base_lobe_pdf`].
@@ -2162,12 +2171,12 @@ float scratch_lobe_pdf(float radius_18, float wavelength_20, float width_9, floa
     float c_8 = (ARC_PI * (width_9 / wavelength_20));
     float along_5 = (_e8 * (incident_t_2 + outgoing_t_1));
     float x_24 = (c_8 * (incident_b_2 + outgoing_b_1));
-    float g_1 = sqrt(((outgoing_b_1 * outgoing_b_1) + (outgoing_n_1 * outgoing_n_1)));
-    const float _e20 = lobe_lorentz_angle(c_8, incident_b_2, g_1);
-    float curved = (c_8 / (_e20 * (1.0 + (x_24 * x_24))));
-    float across_6 = ((c_8 < LOBE_NARROW_LIMIT) ? (0.5 / g_1) : curved);
-    const float _e33 = exponential(-((along_5 * along_5)));
-    float gaussian = (_e8 * (_e33 * INVERSE_ROOT_PI));
+    const float _e16 = lobe_reach(outgoing_b_1, outgoing_n_1);
+    const float _e17 = lobe_lorentz_angle(c_8, incident_b_2, _e16);
+    float curved = (c_8 / (_e17 * (1.0 + (x_24 * x_24))));
+    float across_6 = ((c_8 < LOBE_NARROW_LIMIT) ? (0.5 / _e16) : curved);
+    const float _e30 = exponential(-((along_5 * along_5)));
+    float gaussian = (_e8 * (_e30 * INVERSE_ROOT_PI));
     return ((outgoing_n_1 <= 0.0) ? 0.0 : (gaussian * (across_6 * outgoing_n_1)));
 }
 
@@ -2179,18 +2188,18 @@ SampledDirection scratch_lobe_sample(float radius_19, float wavelength_21, float
     float c_9 = (ARC_PI * (width_10 / wavelength_21));
     const float _e11 = gaussian_inverse(first_7);
     float x_25 = ((_e11 / _e7) - incident_t_3);
-    float g_2 = sqrt(max(((1.0 - x_25) * (1.0 + x_25)), 0.0));
-    float b_10 = abs(incident_b_3);
+    float g_1 = sqrt(max(((1.0 - x_25) * (1.0 + x_25)), 0.0));
+    float b_11 = abs(incident_b_3);
     bool mirrored = (incident_b_3 < 0.0);
     float u_16 = (mirrored ? second_1 : (1.0 - second_1));
-    float far_3 = (c_9 * (b_10 + g_2));
-    const float _e30 = lobe_lorentz_angle(c_9, b_10, g_2);
+    float far_3 = (c_9 * (b_11 + g_1));
+    const float _e30 = lobe_lorentz_angle(c_9, b_11, g_1);
     const SineCosine _e32 = sine_cosine((u_16 * _e30));
     float curved_1 = ((_e32.sine * (1.0 + (far_3 * far_3))) / (c_9 * (_e32.cosine + (far_3 * _e32.sine))));
-    float from_end = ((c_9 < LOBE_NARROW_LIMIT) ? (u_16 * (g_2 + g_2)) : curved_1);
-    float beta = (g_2 - from_end);
+    float from_end = ((c_9 < LOBE_NARROW_LIMIT) ? (u_16 * (g_1 + g_1)) : curved_1);
+    float beta = (g_1 - from_end);
     float y_16 = (mirrored ? -(beta) : beta);
-    float z_2 = sqrt(max((from_end * ((g_2 + g_2) - from_end)), 0.0));
+    float z_2 = sqrt(max((from_end * ((g_1 + g_1) - from_end)), 0.0));
     const float _e58 = scratch_lobe_pdf(radius_19, wavelength_21, width_10, incident_t_3, incident_b_3, x_25, y_16, z_2);
     const SampledDirection sampleddirection_1 = ConstructSampledDirection(x_25, y_16, z_2, _e58);
     return sampleddirection_1;

@@ -2178,6 +2178,14 @@ fn lobe_lorentz_angle(c: f32, b: f32, g: f32) -> f32 {
     return angle_from_axis(1.0f + low * high, c * (g + g));
 }
 
+// Returns the length of (b, n) without underflow at grazing angles: the squares are taken of 2^40
+// times each.
+fn lobe_reach(b: f32, n: f32) -> f32 {
+    let wide = b * 1099511627776.0f;
+    let high = n * 1099511627776.0f;
+    return sqrt(wide * wide + high * high) * 9.094947e-13f;
+}
+
 // Returns the density of the lobe of a scratch, in 1/sr: a Gaussian along it, a Lorentzian across.
 //
 // Radius, wavelength and width in um; directions as in [`base_lobe_pdf`].
@@ -2187,7 +2195,7 @@ fn scratch_lobe_pdf(radius: f32, wavelength: f32, width: f32, incident_t: f32, i
     let c = ARC_PI * (width / wavelength);
     let along = q * (incident_t + outgoing_t);
     let x = c * (incident_b + outgoing_b);
-    let g = sqrt(outgoing_b * outgoing_b + outgoing_n * outgoing_n);
+    let g = lobe_reach(outgoing_b, outgoing_n);
     let curved = c / (lobe_lorentz_angle(c, incident_b, g) * (1.0f + x * x));
     let across = select(curved, 0.5f / g, c < LOBE_NARROW_LIMIT);
     let gaussian = q * (exponential(-(along * along)) * INVERSE_ROOT_PI);
