@@ -65,10 +65,9 @@
 //! # Where it fails
 //!
 //! A half width of more than about 1e7 radii is known to 1e-9 radii only, and so is the place of its edge: there the
-//! accurate tier has the error of its argument. Far outside the edge the value falls below the error and then to 0; narrow
-//! ellipses (H below 1.4) keep its digits in the accurate tier. The blend chooses between its limits by the area of the
-//! ellipse, where the half width across the scratch decides: it is several times too large for an ellipse that is long
-//! along the scratch.
+//! accurate tier has the error of its argument. Far outside the edge the value falls below the error and then to 0. The
+//! blend chooses between its limits by the area of the ellipse, where the half width across the scratch decides: it is
+//! several times too large for an ellipse that is long along the scratch.
 //!
 //! # Errata
 //!

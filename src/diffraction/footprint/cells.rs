@@ -11,9 +11,9 @@ use core::f64::consts::{FRAC_2_PI, FRAC_2_SQRT_PI};
 
 /// The line lies farther inside the edge than this: the window does not see the edge.
 const INTERIOR: f64 = 4.0;
-/// Farther outside the edge M is below 2e-9 of its peak.
+/// Farther outside the edge M does not count against its peak.
 const BEYOND: f64 = 4.5;
-/// As above for 1e-3: below 3e-5 of its peak.
+/// As above for 1e-3.
 const COARSE_INTERIOR: f64 = 2.8;
 /// As above for 1e-3.
 const COARSE_BEYOND: f64 = 3.25;
