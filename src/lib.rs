@@ -52,6 +52,8 @@
 #![forbid(unsafe_code)]
 
 pub mod diffraction;
+pub mod geometry;
+pub mod light;
 mod numeric;
 pub mod sampling;
 #[cfg(feature = "shader")]
