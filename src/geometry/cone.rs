@@ -103,7 +103,11 @@ pub fn cone_outline(cone: Cone, mut visit: impl FnMut(&Arc)) {
         };
         let top = [u[2], v[2]];
         let below = -cosine * z;
-        visit(&circle(turned(top, [below, -root]), turned(top, [below, root]), below < 0.0));
+        visit(&circle(
+            turned(top, [below, -root]),
+            turned(top, [below, root]),
+            below < 0.0,
+        ));
         visit(&Arc {
             centre: [0.0; 2],
             reach: 1.0,

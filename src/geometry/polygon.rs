@@ -87,7 +87,11 @@ pub(crate) fn visible_edges(vertices: &[[f64; 3]], mut visit: impl FnMut(Edge)) 
             visit(Edge { from: a, to: b, normal });
         } else if up {
             let set = horizon_point(a, b);
-            visit(Edge { from: a, to: set, normal });
+            visit(Edge {
+                from: a,
+                to: set,
+                normal,
+            });
             last_set = Some(set);
         } else if stays {
             let rise = horizon_point(a, b);
@@ -95,7 +99,11 @@ pub(crate) fn visible_edges(vertices: &[[f64; 3]], mut visit: impl FnMut(Edge)) 
                 Some(set) => visit(along_horizon(set, rise)),
                 None => first_rise = Some(rise),
             }
-            visit(Edge { from: rise, to: b, normal });
+            visit(Edge {
+                from: rise,
+                to: b,
+                normal,
+            });
         }
         a = b;
     }
@@ -156,7 +164,7 @@ pub struct Crossing {
 /// Calls `visit` for each crossing of the outline of a polygon above the horizon with the line of constant x; false where a
 /// vertex has no direction.
 ///
-/// Vertices relative to the shaded point, in any unit of length. As many crossings go up as down, always. A function F of y
+/// Vertices relative to the shaded point, in any unit of length. Crossings go up and down in turn, as often up as down. A function F of y
 /// differs over the chords by the sum of F at the downward crossings less that at the upward ones, for a polygon
 /// seen counterclockwise; for the other way round it has the other sign.
 pub fn polygon_crossings(vertices: &[[f64; 3]], x: f64, mut visit: impl FnMut(Crossing)) -> bool {
@@ -188,11 +196,14 @@ pub fn polygon_crossings(vertices: &[[f64; 3]], x: f64, mut visit: impl FnMut(Cr
                 edge.from[1] / length(edge.from)
             }
         };
-        if up {
-            visit(Crossing { y: at(-1.0), upward: true });
-        }
-        if down {
-            visit(Crossing { y: at(1.0), upward: false });
+        // Crossings alternate: an edge that crosses twice leaves its side first.
+        for upward in [!first, first] {
+            if if upward { up } else { down } {
+                visit(Crossing {
+                    y: at(if upward { -1.0 } else { 1.0 }),
+                    upward,
+                });
+            }
         }
     })
 }

@@ -67,13 +67,21 @@ impl Measure {
             weight: weights,
             total,
             mean: mean * half,
-            central: [central[0] * square, central[1] * square * half, (central[2] * square * square).abs()],
+            central: [
+                central[0] * square,
+                central[1] * square * half,
+                (central[2] * square * square).abs(),
+            ],
         }
     }
 
     /// The standard deviation of the angle.
     pub(super) fn deviation(&self) -> f64 {
-        if self.total == 0.0 { 0.0 } else { libm::sqrt(self.central[0] / self.total) }
+        if self.total == 0.0 {
+            0.0
+        } else {
+            libm::sqrt(self.central[0] / self.total)
+        }
     }
 
     /// The integral of a function of the angle by the Gauss rule of the lowest order from 2 on whose error is at most
@@ -188,7 +196,11 @@ impl Jacobi {
             let (mut before, mut now) = (0.0, 1.0);
             let (mut slope_before, mut slope) = (0.0, 0.0);
             for i in 0..n {
-                let ratio = if i > 0 { self.beside[i - 1] * self.beside[i - 1] } else { 0.0 };
+                let ratio = if i > 0 {
+                    self.beside[i - 1] * self.beside[i - 1]
+                } else {
+                    0.0
+                };
                 let next = (x - self.diagonal[i]) * now - ratio * before;
                 let slope_next = now + (x - self.diagonal[i]) * slope - ratio * slope_before;
                 (before, now) = (now, next);

@@ -59,7 +59,7 @@ impl LightIntegral {
 /// The band ends where the Gaussian is e^-39 of its largest value on the light, below half an eps.
 const EXACT_REACH: f64 = 39.0;
 /// Largest measure of a panel of 16 nodes in the exact rule.
-const EXACT_PANEL: f64 = 4.5;
+const EXACT_PANEL: f64 = 4.0;
 /// The same where an error of 1e-7 is as good as none.
 const PANEL: f64 = 7.0;
 /// Below, a tolerance asks for the exact rule.
@@ -191,7 +191,8 @@ impl Band {
     fn beyond(&self) -> f64 {
         let t = self.farthest;
         let depth = (t - self.nearest) * (t + self.nearest);
-        2.0 * self.largest * libm::exp(-depth) / (self.scales.along * (t + libm::sqrt(t * t + 4.0 / core::f64::consts::PI)))
+        2.0 * self.largest * libm::exp(-depth)
+            / (self.scales.along * (t + libm::sqrt(t * t + 4.0 / core::f64::consts::PI)))
     }
 
     /// The factor that the weights leave out, exp(-nearest^2) over k W/2.
@@ -311,7 +312,9 @@ impl Band {
         if panels > gauss_rule::MOST_PANELS as f64 {
             return None;
         }
-        Some(Measure::of(panels as usize, piece.half, |step| self.weight(piece, piece.turned(step))))
+        Some(Measure::of(panels as usize, piece.half, |step| {
+            self.weight(piece, piece.turned(step))
+        }))
     }
 
     /// The cheapest rule whose error is at most `allowed`; the one-node rule whatever it errs where that is infinite.

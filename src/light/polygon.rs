@@ -27,5 +27,8 @@ pub fn polygon_light_within(lobe: ScratchLobe, vertices: &[[f64; 3]], tolerance:
     let found = outline_integral::within(scales, tolerance, |visit| {
         polygon_outline(vertices, visit);
     });
-    LightIntegral { value: found.value.abs(), ..found }
+    LightIntegral {
+        value: found.value.abs(),
+        ..found
+    }
 }

@@ -87,6 +87,7 @@ mod footprint_coefficients;
 mod gpu;
 mod interference;
 mod inverse;
+mod light;
 mod profile;
 mod reflectance;
 mod sampling;
@@ -103,6 +104,7 @@ pub use footprint::{
     footprint_half_width, footprint_mean, footprint_mean_coarse, footprint_mean_reduced, footprint_mean_reduced_coarse,
 };
 pub use interference::{base_interference, crossing_response};
+pub use light::{polygon_light_chord, quad_light_chord, sphere_light_chord, triangle_light_chord};
 pub use profile::{depth_term, depth_term_squared, profile_rectangle, profile_triangle, response_triangle, width_term};
 pub use reflectance::{
     area_density, energy_blend_base, energy_blend_scattered, energy_blend_scratches, reflectance_coherent,

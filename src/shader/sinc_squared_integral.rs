@@ -192,14 +192,10 @@ pub(super) fn product_fraction(x: f32, y: f32) -> f32 {
     fraction - round(fraction)
 }
 
-/// Returns the integral of (sin t / t)^2 over t = pi (W/lambda) xi between two direction cosines, to f32 grade.
-///
-/// `width` is W/lambda, from 0 to 256, dimensionless; `first` and `last` are direction cosines from -2 to 2. The phase
-/// is reduced in turns before it is rounded, so that wide scratches lose nothing. Wider scratches lose digits in
-/// proportion; a negative width has no meaning. VWH18 Eq. 27.
+/// Returns the integral of (sin t / t)^2 over t = pi (W/lambda) xi between two direction cosines whose difference is
+/// known apart from them, to f32 grade; `extent` is its magnitude.
 #[inline(always)]
-#[must_use]
-pub fn sinc_squared_integral_turns(width: f32, first: f32, last: f32) -> f32 {
+pub(super) fn arc_turns(width: f32, first: f32, last: f32, extent: f32) -> f32 {
     let xi = arc_ends(first, last);
     let scale = ARC_PI * width;
     let ends = ArcEnds {
@@ -209,9 +205,20 @@ pub fn sinc_squared_integral_turns(width: f32, first: f32, last: f32) -> f32 {
     };
     let near_rest = ARC_PI * product_fraction(width, xi.near);
     let far_rest = ARC_PI * product_fraction(width, xi.far);
-    let value = arc_of_phases(ends, scale * (xi.far - xi.near), near_rest, far_rest);
+    let value = arc_of_phases(ends, scale * extent, near_rest, far_rest);
     let signed = select(value, -value, last < first);
-    select(signed, 0.0, first == last)
+    select(signed, 0.0, extent == 0.0)
+}
+
+/// Returns the integral of (sin t / t)^2 over t = pi (W/lambda) xi between two direction cosines, to f32 grade.
+///
+/// `width` is W/lambda, from 0 to 256, dimensionless; `first` and `last` are direction cosines from -2 to 2. The phase
+/// is reduced in turns before it is rounded, so that wide scratches lose nothing. Wider scratches lose digits in
+/// proportion; a negative width has no meaning. VWH18 Eq. 27.
+#[inline(always)]
+#[must_use]
+pub fn sinc_squared_integral_turns(width: f32, first: f32, last: f32) -> f32 {
+    arc_turns(width, first, last, abs(abs(last) - abs(first)))
 }
 
 /// Returns H(2q) for q below the border, to 1e-8.

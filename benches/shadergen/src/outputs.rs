@@ -7,7 +7,7 @@ use crate::module::{Translation, translate};
 
 /// Kernel files below `src/shader`, each after those it calls. `gpu.rs` is the Rust side of WGSL's built-ins and
 /// is not translated.
-pub const SOURCES: [&str; 18] = [
+pub const SOURCES: [&str; 19] = [
     "coefficients.rs",
     "elementary.rs",
     "sine_integral.rs",
@@ -26,6 +26,7 @@ pub const SOURCES: [&str; 18] = [
     "footprint.rs",
     "inverse.rs",
     "sampling.rs",
+    "light.rs",
 ];
 
 /// A generated file.

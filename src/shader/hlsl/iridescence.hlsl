@@ -64,6 +64,30 @@ struct SampledDirection {
     float z;
     float pdf;
 };
+
+struct LightPoint {
+    float x;
+    float y;
+    float z;
+};
+
+struct LightLine {
+    float x;
+    float rest;
+    float view;
+    float width;
+};
+
+struct LightChords {
+    float sum;
+    float begin_b;
+    float begin_n;
+    float open;
+    LightPoint setting;
+    float below;
+    LightPoint rise;
+    float risen;
+};
 static const float SINE_A = -0.16666657;
 static const float SINE_B = 0.008333015;
 static const float SINE_C = -0.00019806474;
@@ -501,6 +525,7 @@ static const float TANGENT_SPLIT = 0.41421357;
 static const float SHARE_SMALLEST_LIMIT = 2.9802322e-8;
 static const float LOBE_NARROW_LIMIT = 1e-6;
 static const float LOBE_UNIFORM_LIMIT = 1e-7;
+static const float LIGHT_HALF_INVERSE_ROOT_PI = 0.2820948;
 
 // Returns the value of an odd function at x from its `value` at |x|, the sign of a zero included.
 float odd_continuation(float x, float value)
@@ -520,9 +545,9 @@ HalfTurns ConstructHalfTurns(float arg0, float arg1) {
 // The error of the rest is at most 1e-7 for |x| to 1e4, and 2^-24 |x| beyond.
 HalfTurns reduce_half_turns(float x_1)
 {
-    float n_1 = round((x_1 * INVERSE_PI));
-    float rest_4 = ((x_1 - (n_1 * PI_HIGH)) - (n_1 * PI_LOW));
-    float pairs = (n_1 * 0.5);
+    float n_2 = round((x_1 * INVERSE_PI));
+    float rest_4 = ((x_1 - (n_2 * PI_HIGH)) - (n_2 * PI_LOW));
+    float pairs = (n_2 * 0.5);
     float parity = (1.0 - (4.0 * abs((pairs - round(pairs)))));
     const HalfTurns halfturns = ConstructHalfTurns(rest_4, parity);
     return halfturns;
@@ -598,14 +623,14 @@ SineCosine sine_cosine_turns(float turns)
 float exponential(float x_3)
 {
     float bounded = min(max(x_3, -104.0), 88.7);
-    float n_2 = round((bounded * LOG_TWO_E));
-    float r_3 = ((bounded - (n_2 * LN_TWO_HIGH)) - (n_2 * LN_TWO_LOW));
+    float n_3 = round((bounded * LOG_TWO_E));
+    float r_3 = ((bounded - (n_3 * LN_TWO_HIGH)) - (n_3 * LN_TWO_LOW));
     float e_1 = (EXPONENTIAL_A + (r_3 * (EXPONENTIAL_B + (r_3 * (EXPONENTIAL_C + (r_3 * (EXPONENTIAL_D + (r_3 * EXPONENTIAL_E))))))));
-    float value_1 = (1.0 + (r_3 * (1.0 + (r_3 * e_1))));
-    float halved_2 = round((n_2 * 0.5));
-    float first_9 = asfloat((asuint((halved_2 + EXPONENT_BIAS)) << 23u));
-    float second_3 = asfloat((asuint(((n_2 - halved_2) + EXPONENT_BIAS)) << 23u));
-    return ((value_1 * first_9) * second_3);
+    float value_2 = (1.0 + (r_3 * (1.0 + (r_3 * e_1))));
+    float halved_2 = round((n_3 * 0.5));
+    float first_10 = asfloat((asuint((halved_2 + EXPONENT_BIAS)) << 23u));
+    float second_3 = asfloat((asuint(((n_3 - halved_2) + EXPONENT_BIAS)) << 23u));
+    return ((value_2 * first_10) * second_3);
 }
 
 // Returns Si(x), the integral of sin t / t from 0 to x (radians), to f32 grade.
@@ -613,21 +638,21 @@ float exponential(float x_3)
 // Any x; odd. VWH18 Eq. 28.
 float sine_integral(float x_4)
 {
-    float y_6 = abs(x_4);
-    float u_5 = (y_6 * y_6);
+    float y_7 = abs(x_4);
+    float u_5 = (y_7 * y_7);
     float q_8 = (SI_HEAD_A + (u_5 * (SI_HEAD_B + (u_5 * (SI_HEAD_C + (u_5 * (SI_HEAD_D + (u_5 * (SI_HEAD_E + (u_5 * SI_HEAD_F))))))))));
-    float head = (y_6 + (y_6 * (u_5 * q_8)));
-    float bounded_1 = min(y_6, PHASE_LIMIT);
+    float head = (y_7 + (y_7 * (u_5 * q_8)));
+    float bounded_1 = min(y_7, PHASE_LIMIT);
     const HalfTurns _e24 = reduce_half_turns(bounded_1);
     const SineCosine _e26 = sine_cosine_near(_e24.rest);
     float s_5 = min(u_5, SQUARE_LIMIT);
-    float n_3 = ((s_5 * ((s_5 * ((s_5 * (s_5 + SI_F_A)) + SI_F_B)) + SI_F_C)) + SI_F_D);
+    float n_4 = ((s_5 * ((s_5 * ((s_5 * (s_5 + SI_F_A)) + SI_F_B)) + SI_F_C)) + SI_F_D);
     float d_1 = ((s_5 * ((s_5 * ((s_5 * (s_5 + SI_D_A)) + SI_D_B)) + SI_D_C)) + SI_D_D);
     float m_1 = ((s_5 * ((s_5 * (s_5 + SI_G_A)) + SI_G_B)) + SI_G_C);
-    float wave = (((_e26.cosine * n_3) + ((_e26.sine * bounded_1) * m_1)) / (bounded_1 * d_1));
+    float wave = (((_e26.cosine * n_4) + ((_e26.sine * bounded_1) * m_1)) / (bounded_1 * d_1));
     float tail = (HALF_PI - (_e24.parity * wave));
-    float value_2 = ((y_6 < SI_BORDER) ? head : tail);
-    float finite = ((y_6 >= PHASE_LIMIT) ? HALF_PI : value_2);
+    float value_3 = ((y_7 < SI_BORDER) ? head : tail);
+    float finite = ((y_7 >= PHASE_LIMIT) ? HALF_PI : value_3);
     const float _e78 = odd_continuation(x_4, finite);
     return _e78;
 }
@@ -635,39 +660,39 @@ float sine_integral(float x_4)
 // Returns Si(x) to 1e-5 absolute. Any x; odd. VWH18 Eq. 28.
 float sine_integral_medium(float x_5)
 {
-    float y_7 = abs(x_5);
-    float u_6 = (y_7 * y_7);
+    float y_8 = abs(x_5);
+    float u_6 = (y_8 * y_8);
     float q_9 = (SI_MEDIUM_HEAD_A + (u_6 * (SI_MEDIUM_HEAD_B + (u_6 * (SI_MEDIUM_HEAD_C + (u_6 * (SI_MEDIUM_HEAD_D + (u_6 * SI_MEDIUM_HEAD_E))))))));
-    float head_1 = (y_7 + (y_7 * (u_6 * q_9)));
-    float bounded_2 = min(y_7, PHASE_LIMIT);
+    float head_1 = (y_8 + (y_8 * (u_6 * q_9)));
+    float bounded_2 = min(y_8, PHASE_LIMIT);
     const HalfTurns _e21 = reduce_half_turns(bounded_2);
     const SineCosine _e23 = sine_cosine_near_medium(_e21.rest);
     float s_6 = min(u_6, SQUARE_LIMIT);
-    float n_4 = ((s_6 * (s_6 + SI_MEDIUM_F_A)) + SI_MEDIUM_F_B);
+    float n_5 = ((s_6 * (s_6 + SI_MEDIUM_F_A)) + SI_MEDIUM_F_B);
     float d_2 = ((s_6 * (s_6 + SI_MEDIUM_D_A)) + SI_MEDIUM_D_B);
     float m_2 = (s_6 + SI_MEDIUM_G_A);
-    float wave_1 = (((_e23.cosine * n_4) + ((_e23.sine * bounded_2) * m_2)) / (bounded_2 * d_2));
+    float wave_1 = (((_e23.cosine * n_5) + ((_e23.sine * bounded_2) * m_2)) / (bounded_2 * d_2));
     float tail_1 = (HALF_PI - (_e21.parity * wave_1));
-    float value_3 = ((y_7 < SI_MEDIUM_BORDER) ? head_1 : tail_1);
-    const float _e53 = odd_continuation(x_5, value_3);
+    float value_4 = ((y_8 < SI_MEDIUM_BORDER) ? head_1 : tail_1);
+    const float _e53 = odd_continuation(x_5, value_4);
     return _e53;
 }
 
 // Returns Si(x) to 4e-4 absolute. Any x; odd. VWH18 Eq. 28.
 float sine_integral_coarse(float x_6)
 {
-    float y_8 = abs(x_6);
-    float u_7 = (y_8 * y_8);
+    float y_9 = abs(x_6);
+    float u_7 = (y_9 * y_9);
     float q_10 = (SI_COARSE_HEAD_A + (u_7 * (SI_COARSE_HEAD_B + (u_7 * (SI_COARSE_HEAD_C + (u_7 * SI_COARSE_HEAD_D))))));
-    float head_2 = (y_8 + (y_8 * (u_7 * q_10)));
-    float bounded_3 = min(y_8, PHASE_LIMIT);
+    float head_2 = (y_9 + (y_9 * (u_7 * q_10)));
+    float bounded_3 = min(y_9, PHASE_LIMIT);
     const HalfTurns _e18 = reduce_half_turns(bounded_3);
     const SineCosine _e20 = sine_cosine_near_coarse(_e18.rest);
     float s_7 = min(u_7, SQUARE_LIMIT);
     float wave_2 = (((_e20.cosine * (s_7 + SI_COARSE_F_A)) + (_e20.sine * bounded_3)) / (bounded_3 * (s_7 + SI_COARSE_D_A)));
     float tail_2 = (HALF_PI - (_e18.parity * wave_2));
-    float value_4 = ((y_8 < SI_COARSE_BORDER) ? head_2 : tail_2);
-    const float _e41 = odd_continuation(x_6, value_4);
+    float value_5 = ((y_9 < SI_COARSE_BORDER) ? head_2 : tail_2);
+    const float _e41 = odd_continuation(x_6, value_5);
     return _e41;
 }
 
@@ -676,13 +701,13 @@ float sine_integral_coarse(float x_6)
 // Kept to compare with: its differences have the wrong sign over a quarter of the axis.
 float sine_integral_velinov(float x_7)
 {
-    float y_9 = abs(x_7);
-    const SineCosine _e4 = sine_cosine(min(y_9, PHASE_LIMIT));
-    const float _e11 = exponential((2.0 * min(y_9, 20.0)));
+    float y_10 = abs(x_7);
+    const SineCosine _e4 = sine_cosine(min(y_10, PHASE_LIMIT));
+    const float _e11 = exponential((2.0 * min(y_10, 20.0)));
     float sigmoid = (1.0 - (2.0 / (_e11 + 1.0)));
-    float offset_5 = (y_9 - VELINOV_OFFSET);
-    float value_5 = (((HALF_PI * sigmoid) - ((VELINOV_BUMP * y_9) / (1.0 + (offset_5 * offset_5)))) + ((1.0 - _e4.cosine) / (1.0 + y_9)));
-    const float _e34 = odd_continuation(x_7, value_5);
+    float offset_5 = (y_10 - VELINOV_OFFSET);
+    float value_6 = (((HALF_PI * sigmoid) - ((VELINOV_BUMP * y_10) / (1.0 + (offset_5 * offset_5)))) + ((1.0 - _e4.cosine) / (1.0 + y_10)));
+    const float _e34 = odd_continuation(x_7, value_6);
     return _e34;
 }
 
@@ -700,15 +725,15 @@ ArcEnds arc_ends(float first, float last)
     bool local = (bool)0;
 
     float a_7 = abs(first);
-    float b_10 = abs(last);
-    bool swap = (b_10 < a_7);
+    float b_11 = abs(last);
+    bool swap = (b_11 < a_7);
     if ((min(first, last) < 0.0)) {
         local = (max(first, last) > 0.0);
     } else {
         local = false;
     }
     bool _e16 = local;
-    const ArcEnds arcends = ConstructArcEnds((swap ? b_10 : a_7), (swap ? a_7 : b_10), _e16);
+    const ArcEnds arcends = ConstructArcEnds((swap ? b_11 : a_7), (swap ? a_7 : b_11), _e16);
     return arcends;
 }
 
@@ -754,16 +779,16 @@ float arc_join(ArcEnds ends, float extent, float border, float near_line, float 
     }
     bool _e47 = local_1;
     float one_sided = (_e47 ? gauss_sum : between);
-    float value_6 = (ends.straddles ? (far_value + near_value) : one_sided);
-    return ((value_6 < 0.0) ? 0.0 : value_6);
+    float value_7 = (ends.straddles ? (far_value + near_value) : one_sided);
+    return ((value_7 < 0.0) ? 0.0 : value_7);
 }
 
 // Returns H(2q) for q below the border, to f32 grade.
 float arc_head(float q)
 {
     float u_8 = (q * q);
-    float p = (ARC_HEAD_A + (u_8 * (ARC_HEAD_B + (u_8 * (ARC_HEAD_C + (u_8 * (ARC_HEAD_D + (u_8 * (ARC_HEAD_E + (u_8 * ARC_HEAD_F))))))))));
-    return (q + (q * (u_8 * p)));
+    float p_1 = (ARC_HEAD_A + (u_8 * (ARC_HEAD_B + (u_8 * (ARC_HEAD_C + (u_8 * (ARC_HEAD_D + (u_8 * (ARC_HEAD_E + (u_8 * ARC_HEAD_F))))))))));
+    return (q + (q * (u_8 * p_1)));
 }
 
 // Returns pi/2 - H(2q) - 1/(2q) for q above the border, from the phase of q reduced by half turns,
@@ -842,6 +867,23 @@ float product_fraction(float x_8, float y)
     return (fraction - round(fraction));
 }
 
+// Returns the integral of (sin t / t)^2 over t = pi (W/lambda) xi between two direction cosines
+// whose difference is
+// known apart from them, to f32 grade; `extent` is its magnitude.
+float arc_turns(float width, float first_2, float last_2, float extent_3)
+{
+    const ArcEnds _e4 = arc_ends(first_2, last_2);
+    float scale = (ARC_PI * width);
+    ArcEnds ends_2 = ConstructArcEnds((scale * _e4.near), (scale * _e4.far), _e4.straddles);
+    const float _e15 = product_fraction(width, _e4.near);
+    float near_rest_1 = (ARC_PI * _e15);
+    const float _e19 = product_fraction(width, _e4.far);
+    float far_rest_1 = (ARC_PI * _e19);
+    const float _e22 = arc_of_phases(ends_2, (scale * extent_3), near_rest_1, far_rest_1);
+    float signed_1 = ((last_2 < first_2) ? -(_e22) : _e22);
+    return ((extent_3 == 0.0) ? 0.0 : signed_1);
+}
+
 // Returns the integral of (sin t / t)^2 over t = pi (W/lambda) xi between two direction cosines, to
 // f32 grade.
 //
@@ -850,26 +892,18 @@ float product_fraction(float x_8, float y)
 // is reduced in turns before it is rounded, so that wide scratches lose nothing. Wider scratches
 // lose digits in
 // proportion; a negative width has no meaning. VWH18 Eq. 27.
-float sinc_squared_integral_turns(float width, float first_2, float last_2)
+float sinc_squared_integral_turns(float width_1, float first_3, float last_3)
 {
-    const ArcEnds _e3 = arc_ends(first_2, last_2);
-    float scale = (ARC_PI * width);
-    ArcEnds ends_2 = ConstructArcEnds((scale * _e3.near), (scale * _e3.far), _e3.straddles);
-    const float _e14 = product_fraction(width, _e3.near);
-    float near_rest_1 = (ARC_PI * _e14);
-    const float _e18 = product_fraction(width, _e3.far);
-    float far_rest_1 = (ARC_PI * _e18);
-    const float _e24 = arc_of_phases(ends_2, (scale * (_e3.far - _e3.near)), near_rest_1, far_rest_1);
-    float signed_1 = ((last_2 < first_2) ? -(_e24) : _e24);
-    return ((first_2 == last_2) ? 0.0 : signed_1);
+    const float _e7 = arc_turns(width_1, first_3, last_3, abs((abs(last_3) - abs(first_3))));
+    return _e7;
 }
 
 // Returns H(2q) for q below the border, to 1e-8.
 float arc_head_medium(float q_3)
 {
     float u_9 = (q_3 * q_3);
-    float p_1 = (ARC_MEDIUM_HEAD_A + (u_9 * (ARC_MEDIUM_HEAD_B + (u_9 * (ARC_MEDIUM_HEAD_C + (u_9 * (ARC_MEDIUM_HEAD_D + (u_9 * ARC_MEDIUM_HEAD_E))))))));
-    return (q_3 + (q_3 * (u_9 * p_1)));
+    float p_2 = (ARC_MEDIUM_HEAD_A + (u_9 * (ARC_MEDIUM_HEAD_B + (u_9 * (ARC_MEDIUM_HEAD_C + (u_9 * (ARC_MEDIUM_HEAD_D + (u_9 * ARC_MEDIUM_HEAD_E))))))));
+    return (q_3 + (q_3 * (u_9 * p_2)));
 }
 
 // Returns pi/2 - H(2q) - 1/(2q) for q above the border, to about 1e-6 of 1/(2q).
@@ -887,17 +921,17 @@ float arc_wave_medium(float q_4, SineCosine phase_1)
 }
 
 // Returns the arc of [`sinc_squared_integral`] to 5e-6 absolute.
-float sinc_squared_integral_medium(float first_3, float last_3)
+float sinc_squared_integral_medium(float first_4, float last_4)
 {
-    const ArcEnds _e2 = arc_ends(first_3, last_3);
-    float extent_3 = (_e2.far - _e2.near);
+    const ArcEnds _e2 = arc_ends(first_4, last_4);
+    float extent_4 = (_e2.far - _e2.near);
     const HalfTurns _e9 = reduce_half_turns(min(_e2.near, ARC_PHASE_LIMIT));
     const HalfTurns _e13 = reduce_half_turns(min(_e2.far, ARC_PHASE_LIMIT));
     const SineCosine _e16 = sine_cosine_near_medium(_e9.rest);
     const float _e17 = arc_wave_medium(_e2.near, _e16);
     const SineCosine _e20 = sine_cosine_near_medium(_e13.rest);
     const float _e21 = arc_wave_medium(_e2.far, _e20);
-    float halved_4 = (0.5 * extent_3);
+    float halved_4 = (0.5 * extent_4);
     float m_6 = (_e2.near + halved_4);
     const float _e27 = arc_middle_phase(_e9.rest, halved_4);
     const SineCosine _e28 = sine_cosine_near_medium(_e27);
@@ -910,17 +944,17 @@ float sinc_squared_integral_medium(float first_3, float last_3)
     float gauss_sum_1 = (halved_4 * ((GAUSS_INNER_WEIGHT * _e34) + (GAUSS_OUTER_WEIGHT * _e36)));
     const float _e45 = arc_head_medium(_e2.near);
     const float _e47 = arc_head_medium(_e2.far);
-    const float _e48 = arc_join(_e2, extent_3, ARC_MEDIUM_BORDER, _e45, _e47, _e17, _e21, gauss_sum_1);
-    float signed_2 = ((last_3 < first_3) ? -(_e48) : _e48);
-    return ((first_3 == last_3) ? 0.0 : signed_2);
+    const float _e48 = arc_join(_e2, extent_4, ARC_MEDIUM_BORDER, _e45, _e47, _e17, _e21, gauss_sum_1);
+    float signed_2 = ((last_4 < first_4) ? -(_e48) : _e48);
+    return ((first_4 == last_4) ? 0.0 : signed_2);
 }
 
 // Returns H(2q) for q below the border, to 6e-6.
 float arc_head_coarse(float q_5)
 {
     float u_10 = (q_5 * q_5);
-    float p_2 = (ARC_COARSE_HEAD_A + (u_10 * (ARC_COARSE_HEAD_B + (u_10 * (ARC_COARSE_HEAD_C + (u_10 * ARC_COARSE_HEAD_D))))));
-    return (q_5 + (q_5 * (u_10 * p_2)));
+    float p_3 = (ARC_COARSE_HEAD_A + (u_10 * (ARC_COARSE_HEAD_B + (u_10 * (ARC_COARSE_HEAD_C + (u_10 * ARC_COARSE_HEAD_D))))));
+    return (q_5 + (q_5 * (u_10 * p_3)));
 }
 
 // Returns pi/2 - H(2q) - 1/(2q) for q above the border, to about 3e-4 of 1/(2q).
@@ -938,17 +972,17 @@ float arc_wave_coarse(float q_6, SineCosine phase_2)
 }
 
 // Returns the arc of [`sinc_squared_integral`] to 4e-4 absolute.
-float sinc_squared_integral_coarse(float first_4, float last_4)
+float sinc_squared_integral_coarse(float first_5, float last_5)
 {
-    const ArcEnds _e2 = arc_ends(first_4, last_4);
-    float extent_4 = (_e2.far - _e2.near);
+    const ArcEnds _e2 = arc_ends(first_5, last_5);
+    float extent_5 = (_e2.far - _e2.near);
     const HalfTurns _e9 = reduce_half_turns(min(_e2.near, ARC_PHASE_LIMIT));
     const HalfTurns _e13 = reduce_half_turns(min(_e2.far, ARC_PHASE_LIMIT));
     const SineCosine _e16 = sine_cosine_near_coarse(_e9.rest);
     const float _e17 = arc_wave_coarse(_e2.near, _e16);
     const SineCosine _e20 = sine_cosine_near_coarse(_e13.rest);
     const float _e21 = arc_wave_coarse(_e2.far, _e20);
-    float halved_5 = (0.5 * extent_4);
+    float halved_5 = (0.5 * extent_5);
     float m_8 = (_e2.near + halved_5);
     const float _e27 = arc_middle_phase(_e9.rest, halved_5);
     const SineCosine _e28 = sine_cosine_near_coarse(_e27);
@@ -959,9 +993,9 @@ float sinc_squared_integral_coarse(float first_4, float last_4)
     float gauss_sum_2 = (halved_5 * ((GAUSS_THREE_OUTER_WEIGHT * _e32) + ((GAUSS_THREE_MIDDLE_WEIGHT * centre) * centre)));
     const float _e44 = arc_head_coarse(_e2.near);
     const float _e46 = arc_head_coarse(_e2.far);
-    const float _e47 = arc_join(_e2, extent_4, ARC_COARSE_BORDER, _e44, _e46, _e17, _e21, gauss_sum_2);
-    float signed_3 = ((last_4 < first_4) ? -(_e47) : _e47);
-    return ((first_4 == last_4) ? 0.0 : signed_3);
+    const float _e47 = arc_join(_e2, extent_5, ARC_COARSE_BORDER, _e44, _e46, _e17, _e21, gauss_sum_2);
+    float signed_3 = ((last_5 < first_5) ? -(_e47) : _e47);
+    return ((first_5 == last_5) ? 0.0 : signed_3);
 }
 
 // Returns the bracket of VWH18 Eq. 27, Si(2q) - sin^2 q / q with the fit of Eq. 29, 0 at q = 0.
@@ -977,10 +1011,10 @@ float arc_antiderivative_velinov(float q_7)
 // Returns the arc by VWH18 Eq. 27 with the fit of Eq. 29.
 //
 // Kept to compare with: negative for many arcs that do not contain the peak.
-float sinc_squared_integral_velinov(float first_5, float last_5)
+float sinc_squared_integral_velinov(float first_6, float last_6)
 {
-    const float _e2 = arc_antiderivative_velinov(last_5);
-    const float _e3 = arc_antiderivative_velinov(first_5);
+    const float _e2 = arc_antiderivative_velinov(last_6);
+    const float _e3 = arc_antiderivative_velinov(first_6);
     return (_e2 - _e3);
 }
 
@@ -1009,8 +1043,8 @@ BesselPowers bessel_powers(float x_9)
 // Any x; even; 1 at 0, falls as 1/sqrt(2 pi |x|), 0 at infinity.
 float bessel_i0_scaled(float x_10)
 {
-    float y_10 = abs(x_10);
-    float near_y = min(y_10, BESSEL_FOURTH_END);
+    float y_11 = abs(x_10);
+    float near_y = min(y_11, BESSEL_FOURTH_END);
     bool second_4 = (near_y >= BESSEL_FIRST_END);
     bool third_1 = (near_y >= BESSEL_SECOND_END);
     bool fourth = (near_y >= BESSEL_THIRD_END);
@@ -1019,7 +1053,7 @@ float bessel_i0_scaled(float x_10)
     float centre_2 = (third_1 ? centre_high : centre_low);
     float value_low = (second_4 ? BESSEL_SECOND_VALUE : BESSEL_FIRST_VALUE);
     float value_high = (fourth ? BESSEL_FOURTH_VALUE : BESSEL_THIRD_VALUE);
-    float value_7 = (third_1 ? value_high : value_low);
+    float value_8 = (third_1 ? value_high : value_low);
     float pa_low = (second_4 ? BESSEL_SECOND_A : BESSEL_FIRST_A);
     float pa_high = (fourth ? BESSEL_FOURTH_A : BESSEL_THIRD_A);
     float pa = (third_1 ? pa_high : pa_low);
@@ -1045,8 +1079,8 @@ float bessel_i0_scaled(float x_10)
     float pi = (fourth ? BESSEL_FOURTH_I : 0.0);
     float d_6 = (near_y - centre_2);
     float upper = (pd + (d_6 * (pe + (d_6 * (pf + (d_6 * (pg + (d_6 * (ph + (d_6 * pi))))))))));
-    float near_1 = (value_7 + (d_6 * (pa + (d_6 * (pb + (d_6 * (pc + (d_6 * upper))))))));
-    const BesselPowers _e100 = bessel_powers(max(y_10, BESSEL_FOURTH_END));
+    float near_1 = (value_8 + (d_6 * (pa + (d_6 * (pb + (d_6 * (pc + (d_6 * upper))))))));
+    const BesselPowers _e100 = bessel_powers(max(y_11, BESSEL_FOURTH_END));
     bool odd_1 = ((_e100.exponent & 1u) == 0u);
     float low_root = (odd_1 ? BESSEL_LOW_ODD : BESSEL_LOW_EVEN);
     float high_root = (odd_1 ? BESSEL_HIGH_ODD : BESSEL_HIGH_EVEN);
@@ -1058,7 +1092,7 @@ float bessel_i0_scaled(float x_10)
     float q_11 = (t * bend);
     float whole_root = (root + (root * q_11));
     float v_7 = (whole_root * whole_root);
-    bool tail_3 = (y_10 >= BESSEL_OUTER_END);
+    bool tail_3 = (y_11 >= BESSEL_OUTER_END);
     float w_4 = (v_7 - (tail_3 ? 0.0 : BESSEL_OUTER_CENTRE));
     float ga = (tail_3 ? 0.0 : BESSEL_OUTER_A);
     float gb = (tail_3 ? BESSEL_TAIL_A : BESSEL_OUTER_B);
@@ -1072,8 +1106,8 @@ float bessel_i0_scaled(float x_10)
     float upper_growth = (ge + (w_4 * (gf + (w_4 * (gg + (w_4 * (gh + (w_4 * gi))))))));
     float growth = (ga + (w_4 * (gb + (w_4 * (gc + (w_4 * (gd + (w_4 * upper_growth))))))));
     float far = (root + (root * (q_11 + (growth + (q_11 * growth)))));
-    float finite_1 = ((y_10 >= BESSEL_FOURTH_END) ? far : near_1);
-    return ((asuint(y_10) == 2139095040u) ? 0.0 : finite_1);
+    float finite_1 = ((y_11 >= BESSEL_FOURTH_END) ? far : near_1);
+    return ((asuint(y_11) == 2139095040u) ? 0.0 : finite_1);
 }
 
 // Returns ln I0(x), to 2 units of the last place.
@@ -1081,18 +1115,18 @@ float bessel_i0_scaled(float x_10)
 // Any x; even; x^2/4 near 0, |x| - ln(2 pi |x|)/2 far from it.
 float log_bessel_izero(float x_11)
 {
-    float y_11 = abs(x_11);
-    float bounded_4 = min(y_11, BESSEL_HEAD_END);
+    float y_12 = abs(x_11);
+    float bounded_4 = min(y_12, BESSEL_HEAD_END);
     float u_11 = (bounded_4 * bounded_4);
     float bend_1 = (BESSEL_LOG_HEAD_A + (u_11 * (BESSEL_LOG_HEAD_B + (u_11 * (BESSEL_LOG_HEAD_C + (u_11 * (BESSEL_LOG_HEAD_D + (u_11 * BESSEL_LOG_HEAD_E))))))));
     float head_3 = (u_11 * (0.25 + (u_11 * bend_1)));
-    float middle_y = min(y_11, BESSEL_BORDER);
+    float middle_y = min(y_12, BESSEL_BORDER);
     bool second_5 = (middle_y >= BESSEL_LOG_FIRST_END);
     bool third_2 = (middle_y >= BESSEL_LOG_SECOND_END);
     float centre_low_1 = (second_5 ? BESSEL_LOG_SECOND_CENTRE : BESSEL_LOG_FIRST_CENTRE);
     float centre_3 = (third_2 ? BESSEL_LOG_THIRD_CENTRE : centre_low_1);
     float value_low_1 = (second_5 ? BESSEL_LOG_SECOND_VALUE : BESSEL_LOG_FIRST_VALUE);
-    float value_8 = (third_2 ? BESSEL_LOG_THIRD_VALUE : value_low_1);
+    float value_9 = (third_2 ? BESSEL_LOG_THIRD_VALUE : value_low_1);
     float pa_low_1 = (second_5 ? BESSEL_LOG_SECOND_A : BESSEL_LOG_FIRST_A);
     float pa_1 = (third_2 ? BESSEL_LOG_THIRD_A : pa_low_1);
     float pb_low_1 = (second_5 ? BESSEL_LOG_SECOND_B : BESSEL_LOG_FIRST_B);
@@ -1109,20 +1143,20 @@ float log_bessel_izero(float x_11)
     float pg_1 = (second_5 ? pg_high_1 : 0.0);
     float d_7 = (middle_y - centre_3);
     float upper_1 = (pd_1 + (d_7 * (pe_1 + (d_7 * (pf_1 + (d_7 * pg_1))))));
-    float middle_2 = (value_8 + (d_7 * (pa_1 + (d_7 * (pb_1 + (d_7 * (pc_1 + (d_7 * upper_1))))))));
-    const BesselPowers _e90 = bessel_powers(max(y_11, BESSEL_BORDER));
+    float middle_2 = (value_9 + (d_7 * (pa_1 + (d_7 * (pb_1 + (d_7 * (pc_1 + (d_7 * upper_1))))))));
+    const BesselPowers _e90 = bessel_powers(max(y_12, BESSEL_BORDER));
     float t_1 = _e90.rest;
     float upper_log = (BESSEL_LN_E + (t_1 * (BESSEL_LN_F + (t_1 * BESSEL_LN_G))));
     float logarithm = (t_1 * (BESSEL_LN_A + (t_1 * (BESSEL_LN_B + (t_1 * (BESSEL_LN_C + (t_1 * (BESSEL_LN_D + (t_1 * upper_log)))))))));
-    float v_8 = (1.0 / max(y_11, BESSEL_BORDER));
+    float v_8 = (1.0 / max(y_12, BESSEL_BORDER));
     float upper_growth_1 = (BESSEL_LOG_TAIL_E + (v_8 * (BESSEL_LOG_TAIL_F + (v_8 * (BESSEL_LOG_TAIL_G + (v_8 * BESSEL_LOG_TAIL_H))))));
     float lower_growth = (BESSEL_LOG_TAIL_B + (v_8 * (BESSEL_LOG_TAIL_C + (v_8 * (BESSEL_LOG_TAIL_D + (v_8 * upper_growth_1))))));
     float growth_1 = (v_8 * (BESSEL_LOG_TAIL_A + (v_8 * lower_growth)));
     float constant = (_e90.high ? BESSEL_HIGH_LOG : BESSEL_LOW_LOG);
     float exponent = float((_e90.exponent - 127u));
     float half_log = ((exponent * BESSEL_HALF_LN_TWO) + (constant + (logarithm - growth_1)));
-    float near_2 = ((y_11 >= BESSEL_HEAD_END) ? middle_2 : head_3);
-    return ((y_11 >= BESSEL_BORDER) ? (y_11 - half_log) : near_2);
+    float near_2 = ((y_12 >= BESSEL_HEAD_END) ? middle_2 : head_3);
+    return ((y_12 >= BESSEL_BORDER) ? (y_12 - half_log) : near_2);
 }
 
 // Returns I1(x)/I0(x), to 2 units of the last place.
@@ -1130,15 +1164,15 @@ float log_bessel_izero(float x_11)
 // Any x; odd; x/2 near 0, 1 - 1/(2x) far from it. The derivative of [`log_bessel_izero`].
 float bessel_ratio(float x_12)
 {
-    float y_12 = abs(x_12);
-    float bounded_5 = min(y_12, BESSEL_HEAD_END);
+    float y_13 = abs(x_12);
+    float bounded_5 = min(y_13, BESSEL_HEAD_END);
     float u_12 = (bounded_5 * bounded_5);
     float bend_2 = (BESSEL_RATIO_HEAD_A + (u_12 * (BESSEL_RATIO_HEAD_B + (u_12 * (BESSEL_RATIO_HEAD_C + (u_12 * (BESSEL_RATIO_HEAD_D + (u_12 * BESSEL_RATIO_HEAD_E))))))));
     float head_4 = (bounded_5 * (0.5 + (u_12 * bend_2)));
-    float middle_y_1 = min(y_12, BESSEL_BORDER);
+    float middle_y_1 = min(y_13, BESSEL_BORDER);
     bool second_6 = (middle_y_1 >= BESSEL_RATIO_FIRST_END);
     float centre_4 = (second_6 ? BESSEL_RATIO_SECOND_CENTRE : BESSEL_RATIO_FIRST_CENTRE);
-    float value_9 = (second_6 ? BESSEL_RATIO_SECOND_VALUE : BESSEL_RATIO_FIRST_VALUE);
+    float value_10 = (second_6 ? BESSEL_RATIO_SECOND_VALUE : BESSEL_RATIO_FIRST_VALUE);
     float pa_2 = (second_6 ? BESSEL_RATIO_SECOND_A : BESSEL_RATIO_FIRST_A);
     float pb_2 = (second_6 ? BESSEL_RATIO_SECOND_B : BESSEL_RATIO_FIRST_B);
     float pc_2 = (second_6 ? BESSEL_RATIO_SECOND_C : BESSEL_RATIO_FIRST_C);
@@ -1149,14 +1183,14 @@ float bessel_ratio(float x_12)
     float ph_1 = (second_6 ? BESSEL_RATIO_SECOND_H : 0.0);
     float d_8 = (middle_y_1 - centre_4);
     float upper_2 = (pd_2 + (d_8 * (pe_2 + (d_8 * (pf_2 + (d_8 * (pg_2 + (d_8 * ph_1))))))));
-    float middle_3 = (value_9 + (d_8 * (pa_2 + (d_8 * (pb_2 + (d_8 * (pc_2 + (d_8 * upper_2))))))));
-    float v_9 = (1.0 / max(y_12, BESSEL_BORDER));
+    float middle_3 = (value_10 + (d_8 * (pa_2 + (d_8 * (pb_2 + (d_8 * (pc_2 + (d_8 * upper_2))))))));
+    float v_9 = (1.0 / max(y_13, BESSEL_BORDER));
     float top = (BESSEL_RATIO_TAIL_H + (v_9 * (BESSEL_RATIO_TAIL_I + (v_9 * BESSEL_RATIO_TAIL_J))));
     float upper_tail = (BESSEL_RATIO_TAIL_E + (v_9 * (BESSEL_RATIO_TAIL_F + (v_9 * (BESSEL_RATIO_TAIL_G + (v_9 * top))))));
     float lower_tail = (BESSEL_RATIO_TAIL_B + (v_9 * (BESSEL_RATIO_TAIL_C + (v_9 * (BESSEL_RATIO_TAIL_D + (v_9 * upper_tail))))));
     float tail_4 = (1.0 - (v_9 * (BESSEL_RATIO_TAIL_A + (v_9 * lower_tail))));
-    float near_3 = ((y_12 >= BESSEL_HEAD_END) ? middle_3 : head_4);
-    const float _e114 = odd_continuation(x_12, ((y_12 >= BESSEL_BORDER) ? tail_4 : near_3));
+    float near_3 = ((y_13 >= BESSEL_HEAD_END) ? middle_3 : head_4);
+    const float _e114 = odd_continuation(x_12, ((y_13 >= BESSEL_BORDER) ? tail_4 : near_3));
     return _e114;
 }
 
@@ -1173,11 +1207,11 @@ PowerOfE ConstructPowerOfE(float arg0, float arg1, float arg2) {
 // The leading part may carry all its digits: it is reduced before the rest is added.
 PowerOfE power_of_e(float leading, float rest_2)
 {
-    float n_5 = round(((leading + rest_2) * LOG_TWO_E));
-    float r_4 = ((leading - (n_5 * LN_TWO_HIGH)) + (rest_2 - (n_5 * LN_TWO_LOW)));
+    float n_6 = round(((leading + rest_2) * LOG_TWO_E));
+    float r_4 = ((leading - (n_6 * LN_TWO_HIGH)) + (rest_2 - (n_6 * LN_TWO_LOW)));
     float e_2 = (EXPONENTIAL_A + (r_4 * (EXPONENTIAL_B + (r_4 * (EXPONENTIAL_C + (r_4 * (EXPONENTIAL_D + (r_4 * EXPONENTIAL_E))))))));
-    float halved_6 = round((n_5 * 0.5));
-    const PowerOfE powerofe = ConstructPowerOfE((1.0 + (r_4 * (1.0 + (r_4 * e_2)))), asfloat((asuint((halved_6 + EXPONENT_BIAS)) << 23u)), asfloat((asuint(((n_5 - halved_6) + EXPONENT_BIAS)) << 23u)));
+    float halved_6 = round((n_6 * 0.5));
+    const PowerOfE powerofe = ConstructPowerOfE((1.0 + (r_4 * (1.0 + (r_4 * e_2)))), asfloat((asuint((halved_6 + EXPONENT_BIAS)) << 23u)), asfloat((asuint(((n_6 - halved_6) + EXPONENT_BIAS)) << 23u)));
     return powerofe;
 }
 
@@ -1195,8 +1229,8 @@ float product_turns(float x_14, float y_1)
     float leading_2 = min(max((_e2 * _e3), -33554432.0), PHASE_LIMIT);
     float rest_6 = ((_e2 * (y_1 - _e3)) + ((x_14 - _e2) * y_1));
     float bounded_6 = min(max(rest_6, -33554432.0), PHASE_LIMIT);
-    float n_6 = round((leading_2 * INVERSE_PI));
-    float turns_3 = (((leading_2 - (n_6 * PI_HIGH)) - (n_6 * PI_LOW)) * INVERSE_PI);
+    float n_7 = round((leading_2 * INVERSE_PI));
+    float turns_3 = (((leading_2 - (n_7 * PI_HIGH)) - (n_7 * PI_LOW)) * INVERSE_PI);
     float small = (bounded_6 * INVERSE_PI);
     float sum = (turns_3 + (small - round(small)));
     return (sum - round(sum));
@@ -1433,9 +1467,9 @@ Complex erf_short_series(float middle_1, float b_1, float halved_1)
     float k_3 = (1.0 + (d_9 * (-0.33333334 + (d_9 * (0.1 + (d_9 * (-0.023809524 + (d_9 * (0.0046296297 - (d_9 * 0.00075757573))))))))));
     float l = (0.6666667 + (d_9 * (-0.4 + (d_9 * (0.14285715 + (d_9 * (-0.037037037 + (d_9 * 0.007575758))))))));
     float m_9 = (0.13333334 + (d_9 * (-0.0952381 + (d_9 * 0.037037037))));
-    float n_7 = (0.012698413 - (d_9 * 0.009876543));
-    float first_re = (m_9 + (q_re_1 * n_7));
-    float first_im = (q_im_1 * n_7);
+    float n_8 = (0.012698413 - (d_9 * 0.009876543));
+    float first_re = (m_9 + (q_re_1 * n_8));
+    float first_im = (q_im_1 * n_8);
     float second_re = (l + ((q_re_1 * first_re) - (q_im_1 * first_im)));
     float second_im = ((q_re_1 * first_im) + (q_im_1 * first_re));
     const Complex complex_9 = ConstructComplex((k_3 + ((q_re_1 * second_re) - (q_im_1 * second_im))), ((q_re_1 * second_im) + (q_im_1 * second_re)));
@@ -1457,8 +1491,8 @@ Complex erf_difference_scaled_turns(float a_from, float a_to, float b_2, float t
     bool local_5 = (bool)0;
     bool local_6 = (bool)0;
 
-    float extent_5 = (a_to - a_from);
-    float halved_8 = (0.5 * extent_5);
+    float extent_6 = (a_to - a_from);
+    float halved_8 = (0.5 * extent_6);
     bool nearer_to = (abs(a_to) < abs(a_from));
     float base_2 = (nearer_to ? a_to : a_from);
     float stride = (nearer_to ? -(halved_8) : halved_8);
@@ -1476,7 +1510,7 @@ Complex erf_difference_scaled_turns(float a_from, float a_to, float b_2, float t
     const SineCosine _e38 = sine_cosine_turns(turns_4);
     float rest_7 = (stride * ((base_2 + base_2) + stride));
     const float _e47 = erf_gaussian(min(abs(base_2), ERF_END_LARGEST), rest_7);
-    float scale_4 = ((TWO_INVERSE_ROOT_PI * extent_5) * _e47);
+    float scale_4 = ((TWO_INVERSE_ROOT_PI * extent_6) * _e47);
     const Complex _e49 = erf_short_series(middle_4, b_2, halved_8);
     float short_re = (scale_4 * ((_e49.re * _e38.cosine) + (_e49.im * _e38.sine)));
     float short_im = (scale_4 * ((_e49.im * _e38.cosine) - (_e49.re * _e38.sine)));
@@ -1545,12 +1579,12 @@ float sinc_turns(Turns turns_2, float sine)
 }
 
 // Returns W sinc(pi W xi/lambda), in the unit of the width (VWH18 Eq. 3).
-float width_term(float width_1, float xi_b, float wavelength)
+float width_term(float width_2, float xi_b, float wavelength)
 {
-    const Turns _e4 = ratio_turns(width_1, xi_b, (wavelength + wavelength));
+    const Turns _e4 = ratio_turns(width_2, xi_b, (wavelength + wavelength));
     const SineCosine _e6 = sine_cosine_turns(_e4.rest);
     const float _e8 = sinc_turns(_e4, _e6.sine);
-    return (width_1 * _e8);
+    return (width_2 * _e8);
 }
 
 // Returns the sine and cosine of half the phase of the depth, pi gamma D/lambda; both may have the
@@ -1583,9 +1617,9 @@ float depth_term_squared(float depth_2, float gamma_sum_2, float wavelength_3)
 // Returns W sinc(pi W xi/lambda) (1 - exp(2 pi i (gamma_i + gamma_o) D/lambda)), in the unit of the
 // width: mask less
 // scratch of a rectangle (VWH18 Eq. 3).
-Complex profile_rectangle(float width_2, float depth_3, float xi_b_1, float gamma_sum_3, float wavelength_4)
+Complex profile_rectangle(float width_3, float depth_3, float xi_b_1, float gamma_sum_3, float wavelength_4)
 {
-    const float _e5 = width_term(width_2, xi_b_1, wavelength_4);
+    const float _e5 = width_term(width_3, xi_b_1, wavelength_4);
     const Complex _e6 = depth_term(depth_3, gamma_sum_3, wavelength_4);
     const Complex complex_13 = ConstructComplex((_e5 * _e6.re), (_e5 * _e6.im));
     return complex_13;
@@ -1603,16 +1637,16 @@ TriangleFlanks ConstructTriangleFlanks(float arg0, float arg1, SineCosine arg2, 
 }
 
 // Returns the two sinc of a triangle.
-TriangleFlanks triangle_flanks(float width_3, float depth_4, float xi_b_2, float gamma_sum_4, float wavelength_5)
+TriangleFlanks triangle_flanks(float width_4, float depth_4, float xi_b_2, float gamma_sum_4, float wavelength_5)
 {
     float twice_5 = (wavelength_5 + wavelength_5);
     const Turns _e6 = ratio_turns(depth_4, gamma_sum_4, twice_5);
-    const Turns _e8 = ratio_turns(width_3, xi_b_2, (twice_5 + twice_5));
+    const Turns _e8 = ratio_turns(width_4, xi_b_2, (twice_5 + twice_5));
     Turns sum_1 = ConstructTurns((_e6.whole + _e8.whole), (_e6.rest + _e8.rest));
     Turns difference = ConstructTurns((_e6.whole - _e8.whole), (_e6.rest - _e8.rest));
     const SineCosine _e24 = sine_cosine_turns(sum_1.rest);
     const SineCosine _e26 = sine_cosine_turns(difference.rest);
-    float halved_9 = (0.5 * width_3);
+    float halved_9 = (0.5 * width_4);
     const float _e30 = sinc_turns(sum_1, _e24.sine);
     const float _e33 = sinc_turns(difference, _e26.sine);
     const TriangleFlanks triangleflanks = ConstructTriangleFlanks((halved_9 * _e30), (halved_9 * _e33), _e24, _e26, (_e6.whole + _e6.rest), (_e8.whole + _e8.rest));
@@ -1623,9 +1657,9 @@ TriangleFlanks triangle_flanks(float width_3, float depth_4, float xi_b_2, float
 // (WVJH17 Eq. 29).
 //
 // Two sinc, each the other's phase: no poles.
-Complex profile_triangle(float width_4, float depth_5, float xi_b_3, float gamma_sum_5, float wavelength_6)
+Complex profile_triangle(float width_5, float depth_5, float xi_b_3, float gamma_sum_5, float wavelength_6)
 {
-    const TriangleFlanks _e5 = triangle_flanks(width_4, depth_5, xi_b_3, gamma_sum_5, wavelength_6);
+    const TriangleFlanks _e5 = triangle_flanks(width_5, depth_5, xi_b_3, gamma_sum_5, wavelength_6);
     const Complex complex_14 = ConstructComplex(((_e5.sinc_a * _e5.b.cosine) + (_e5.sinc_b * _e5.a.cosine)), ((_e5.sinc_a * _e5.b.sine) + (_e5.sinc_b * _e5.a.sine)));
     return complex_14;
 }
@@ -1646,10 +1680,10 @@ Complex triangle_shallow_node(float deep, float across, float u)
 // The difference of mask and [`profile_triangle`] in a deep groove, its own two sinc in a wide one,
 // and a Gauss rule of
 // four points where both phases are small: a shallow groove keeps its digits.
-Complex response_triangle(float width_5, float depth_6, float xi_b_4, float gamma_sum_6, float wavelength_7)
+Complex response_triangle(float width_6, float depth_6, float xi_b_4, float gamma_sum_6, float wavelength_7)
 {
-    const TriangleFlanks _e5 = triangle_flanks(width_5, depth_6, xi_b_4, gamma_sum_6, wavelength_7);
-    const float _e6 = width_term(width_5, xi_b_4, wavelength_7);
+    const TriangleFlanks _e5 = triangle_flanks(width_6, depth_6, xi_b_4, gamma_sum_6, wavelength_7);
+    const float _e6 = width_term(width_6, xi_b_4, wavelength_7);
     float slope = (_e5.deep / _e5.across);
     bool is_wide = (abs(_e5.deep) <= abs(_e5.across));
     float a_re = (_e5.sinc_a * _e5.b.cosine);
@@ -1669,7 +1703,7 @@ Complex response_triangle(float width_5, float depth_6, float xi_b_4, float gamm
     float outer_im = (0.17392743 * (_e63.im + _e69.im));
     float inner_re = (0.32607257 * (_e65.re + _e67.re));
     float inner_im = (0.32607257 * (_e65.im + _e67.im));
-    const Complex complex_16 = ConstructComplex((is_shallow ? (width_5 * (outer_re + inner_re)) : re_6), (is_shallow ? (width_5 * (outer_im + inner_im)) : im_7));
+    const Complex complex_16 = ConstructComplex((is_shallow ? (width_6 * (outer_re + inner_re)) : re_6), (is_shallow ? (width_6 * (outer_im + inner_im)) : im_7));
     return complex_16;
 }
 
@@ -1690,11 +1724,11 @@ float coherence_window(float offset, float radius_1)
 // Returns the share of the window's amplitude on one infinite scratch at a distance: 1 for a full
 // coverage (VWH18 Eq. 17,
 // normalised). [`area_density`](super::area_density) is the share of its energy.
-float area_density_amplitude(float width_6, float offset_1, float radius_2)
+float area_density_amplitude(float width_7, float offset_1, float radius_2)
 {
     float r_5 = (offset_1 / radius_2);
     const float _e10 = exponential((-0.5 * (r_5 * r_5)));
-    return ((INVERSE_ROOT_TWO_PI * (width_6 / radius_2)) * _e10);
+    return ((INVERSE_ROOT_TWO_PI * (width_7 / radius_2)) * _e10);
 }
 
 // Returns sigma k xi, the direction cosine in widths of the transformed window.
@@ -1766,11 +1800,11 @@ float base_response(float radius_7, float wavelength_12, float xi_t_3, float xi_
 
 // Returns the share of the window's energy on one infinite scratch at a distance: 1 for a full
 // coverage.
-float area_density(float width_7, float offset_2, float radius_8)
+float area_density(float width_8, float offset_2, float radius_8)
 {
     float r_6 = (offset_2 / radius_8);
     const float _e9 = exponential(-((r_6 * r_6)));
-    return ((INVERSE_ROOT_PI * (width_7 / radius_8)) * _e9);
+    return ((INVERSE_ROOT_PI * (width_8 / radius_8)) * _e9);
 }
 
 // Returns 1 - rho, the factor of the scratches' incoherent reflectance; a density above 1 counts as
@@ -1818,9 +1852,9 @@ float reflectance_coherent(float radius_10, float wavelength_14, float base, flo
 //
 // `mean` is that of the footprint, `footprint_mean`, or exp(-s_b^2/sigma^2) at a point (VWH18 Eqs.
 // 9 and 16).
-float scratch_squared(float radius_11, float wavelength_15, float width_8, float depth_7, float xi_t_4, float xi_b_8, float gamma_sum_7, float mean)
+float scratch_squared(float radius_11, float wavelength_15, float width_9, float depth_7, float xi_t_4, float xi_b_8, float gamma_sum_7, float mean)
 {
-    const float _e8 = width_term(width_8, xi_b_8, wavelength_15);
+    const float _e8 = width_term(width_9, xi_b_8, wavelength_15);
     const float _e9 = depth_term_squared(depth_7, gamma_sum_7, wavelength_15);
     const float _e10 = window_cosine(radius_11, wavelength_15, xi_t_4);
     const float _e16 = exponential(-((_e10 * _e10)));
@@ -1856,9 +1890,9 @@ Complex complex_product(Complex a_4, Complex b_6)
 Complex crossing_response(float radius_12, float wavelength_16, float first_width, float first_depth, float second_width, float second_depth, float first_x, float first_y, float second_x, float second_y, float crossing_x, float crossing_y, float xi_x, float xi_y, float gamma_sum_8)
 {
     float sine_3 = ((first_x * second_y) - (first_y * second_x));
-    float p_3 = (((xi_x * second_x) + (xi_y * second_y)) / sine_3);
+    float p_4 = (((xi_x * second_x) + (xi_y * second_y)) / sine_3);
     float q_12 = (-(((xi_x * first_x) + (xi_y * first_y))) / sine_3);
-    const float _e27 = width_term(first_width, p_3, wavelength_16);
+    const float _e27 = width_term(first_width, p_4, wavelength_16);
     const float _e28 = width_term(second_width, q_12, wavelength_16);
     float overlap = (_e27 * (_e28 / abs(sine_3)));
     const float _e32 = in_radii(crossing_x, radius_12);
@@ -1888,26 +1922,26 @@ FootprintWindow ConstructFootprintWindow(float arg0, float arg1, float arg2, flo
 // Returns the part of the ellipse within reach of the line.
 FootprintWindow footprint_window(float half_width, float edge)
 {
-    float width_11 = min(max(half_width, FOOTPRINT_LEAST_LIMIT), FOOTPRINT_MOST_LIMIT);
-    float near_edge = (edge + (width_11 - half_width));
-    float far_edge = ((width_11 - near_edge) + width_11);
-    float inverse_3 = (1.0 / width_11);
-    float start = max(-(near_edge), -3.95);
+    float width_18 = min(max(half_width, FOOTPRINT_LEAST_LIMIT), FOOTPRINT_MOST_LIMIT);
+    float near_edge = (edge + (width_18 - half_width));
+    float far_edge = ((width_18 - near_edge) + width_18);
+    float inverse_3 = (1.0 / width_18);
+    float start_3 = max(-(near_edge), -3.95);
     bool whole_2 = (max(near_edge, far_edge) <= FOOTPRINT_REACH);
-    float seen = max((min(far_edge, FOOTPRINT_REACH) - start), 0.0);
-    float span = (whole_2 ? (width_11 + width_11) : seen);
-    const FootprintWindow footprintwindow = ConstructFootprintWindow((max((near_edge - FOOTPRINT_REACH), 0.0) * inverse_3), (max((far_edge - FOOTPRINT_REACH), 0.0) * inverse_3), (FOOTPRINT_BINARY * start), (FOOTPRINT_BINARY * span), (span * inverse_3));
+    float seen = max((min(far_edge, FOOTPRINT_REACH) - start_3), 0.0);
+    float span = (whole_2 ? (width_18 + width_18) : seen);
+    const FootprintWindow footprintwindow = ConstructFootprintWindow((max((near_edge - FOOTPRINT_REACH), 0.0) * inverse_3), (max((far_edge - FOOTPRINT_REACH), 0.0) * inverse_3), (FOOTPRINT_BINARY * start_3), (FOOTPRINT_BINARY * span), (span * inverse_3));
     return footprintwindow;
 }
 
 // Returns 2^(-x^2), to f32 grade of 1, for |x| up to 11.
 float halving_square(float x_18)
 {
-    float y_13 = (x_18 * x_18);
-    float n_8 = round(y_13);
-    float r_7 = (n_8 - y_13);
+    float y_14 = (x_18 * x_18);
+    float n_9 = round(y_14);
+    float r_7 = (n_9 - y_14);
     float series = (HALVING_A + (r_7 * (HALVING_B + (r_7 * (HALVING_C + (r_7 * (HALVING_D + (r_7 * HALVING_E))))))));
-    return ((1.0 + (r_7 * series)) * asfloat((asuint((EXPONENT_BIAS - n_8)) << 23u)));
+    return ((1.0 + (r_7 * series)) * asfloat((asuint((EXPONENT_BIAS - n_9)) << 23u)));
 }
 
 // Returns two nodes of the rule, mirror images within the window.
@@ -1919,10 +1953,10 @@ float footprint_pair(FootprintWindow window, float part, float sine_1)
     float lesser = (window.share * part);
     float greater = (window.share * rest_8);
     const float _e23 = halving_square(low_1);
-    float first_10 = (sqrt(((window.near + lesser) * (window.far + greater))) * _e23);
+    float first_11 = (sqrt(((window.near + lesser) * (window.far + greater))) * _e23);
     const float _e31 = halving_square(high_1);
     float second_7 = (sqrt(((window.near + greater) * (window.far + lesser))) * _e31);
-    return (sine_1 * (first_10 + second_7));
+    return (sine_1 * (first_11 + second_7));
 }
 
 // Returns the half width of an ellipse across the tangent; half axes, cosine of the angle from the
@@ -1998,12 +2032,12 @@ float footprint_mean_reduced_coarse(float half_width_2, float edge_2)
     float exponent_1 = (is_narrow ? excess : (is_interior ? 0.0 : edged));
     float under_root = (is_narrow ? spread : (is_interior ? (near_5 * far_1) : (far_1 * inverse_4)));
     float bend_3 = (1.0 / (d_10 * far_1));
-    float z = (bend_3 * bend_3);
-    float middle_5 = (inverse_4 * (1.1283792 - (z * (0.2820948 + (0.1410474 * z)))));
+    float z_1 = (bend_3 * bend_3);
+    float middle_5 = (inverse_4 * (1.1283792 - (z_1 * (0.2820948 + (0.1410474 * z_1)))));
     float height_3 = (is_narrow ? 1.0 : (is_interior ? middle_5 : inverse_4));
     const float _e117 = exponential(-(exponent_1));
-    float value_10 = ((sqrt(under_root) * height_3) * _e117);
-    return ((edge_2 < FOOTPRINT_OUTSIDE_LIMIT) ? 0.0 : value_10);
+    float value_11 = ((sqrt(under_root) * height_3) * _e117);
+    return ((edge_2 < FOOTPRINT_OUTSIDE_LIMIT) ? 0.0 : value_11);
 }
 
 // Returns the mean over an ellipse of exp(-s_b^2/sigma^2) for an infinite scratch at an offset;
@@ -2080,21 +2114,21 @@ float angle_from_axis(float x_20, float y_5)
 float gaussian_inverse(float u_1)
 {
     float share = max(u_1, SHARE_SMALLEST_LIMIT);
-    float x_21 = ((share + share) - 1.0);
+    float x_22 = ((share + share) - 1.0);
     float tail_5 = min(share, (1.0 - share));
-    const float _e10 = log_one_minus((x_21 * x_21));
+    const float _e10 = log_one_minus((x_22 * x_22));
     float middle_6 = -(_e10);
     const float _e12 = natural_log(tail_5);
     const float _e14 = log_one_minus(tail_5);
     float outer_4 = -((_e12 + (1.3862944 + _e14)));
-    float v_13 = ((abs(x_21) > 0.5) ? outer_4 : middle_6);
+    float v_13 = ((abs(x_22) > 0.5) ? outer_4 : middle_6);
     float c_7 = (v_13 - 2.5);
     float upper_centre = (0.00021858087 + (c_7 * (-4.3915065e-6 + (c_7 * (-3.5233877e-6 + (c_7 * (3.4327394e-7 + (c_7 * 2.8102264e-8))))))));
     float centre_5 = (1.5014094 + (c_7 * (0.24664073 + (c_7 * (-0.0041776816 + (c_7 * (-0.001253725 + (c_7 * upper_centre))))))));
     float d_11 = (sqrt(max(v_13, 0.0)) - 3.0);
     float upper_far = (-0.0036734284 + (d_11 * (0.0013493432 + (d_11 * (0.00010095056 + (d_11 * -0.00020021426))))));
     float far_2 = (2.8329768 + (d_11 * (1.001674 + (d_11 * (0.00943887 + (d_11 * (-0.007622461 + (d_11 * (0.0057395077 + (d_11 * upper_far))))))))));
-    return (x_21 * ((v_13 >= 5.0) ? far_2 : centre_5));
+    return (x_22 * ((v_13 >= 5.0) ? far_2 : centre_5));
 }
 
 // Returns k sigma.
@@ -2112,9 +2146,9 @@ float lobe_reduced_radius(float radius_15, float wavelength_17)
 float base_lobe_pdf(float radius_16, float wavelength_18, float incident_t, float incident_b, float outgoing_t, float outgoing_b, float outgoing_n)
 {
     const float _e7 = lobe_reduced_radius(radius_16, wavelength_18);
-    float x_22 = (_e7 * (incident_t + outgoing_t));
-    float y_14 = (_e7 * (incident_b + outgoing_b));
-    const float _e16 = exponential(-(((x_22 * x_22) + (y_14 * y_14))));
+    float x_23 = (_e7 * (incident_t + outgoing_t));
+    float y_15 = (_e7 * (incident_b + outgoing_b));
+    const float _e16 = exponential(-(((x_23 * x_23) + (y_15 * y_15))));
     float height_4 = (_e16 * INVERSE_PI);
     return ((outgoing_n <= 0.0) ? 0.0 : (_e7 * (_e7 * (height_4 * outgoing_n))));
 }
@@ -2130,17 +2164,17 @@ SampledDirection ConstructSampledDirection(float arg0, float arg1, float arg2, f
 
 // Returns a direction of the base lobe from two random numbers of \[0, 1); density 0 for an
 // evanescent draw.
-SampledDirection base_lobe_sample(float radius_17, float wavelength_19, float incident_t_1, float incident_b_1, float first_6, float second)
+SampledDirection base_lobe_sample(float radius_17, float wavelength_19, float incident_t_1, float incident_b_1, float first_7, float second)
 {
     const float _e6 = lobe_reduced_radius(radius_17, wavelength_19);
-    const float _e7 = log_one_minus(first_6);
+    const float _e7 = log_one_minus(first_7);
     float size_4 = (sqrt(-(_e7)) / _e6);
     const SineCosine _e11 = sine_cosine_turns(second);
-    float x_23 = ((size_4 * _e11.cosine) - incident_t_1);
-    float y_15 = ((size_4 * _e11.sine) - incident_b_1);
-    float z_1 = sqrt(max((((1.0 - x_23) * (1.0 + x_23)) - (y_15 * y_15)), 0.0));
-    const float _e28 = base_lobe_pdf(radius_17, wavelength_19, incident_t_1, incident_b_1, x_23, y_15, z_1);
-    const SampledDirection sampleddirection = ConstructSampledDirection(x_23, y_15, z_1, _e28);
+    float x_24 = ((size_4 * _e11.cosine) - incident_t_1);
+    float y_16 = ((size_4 * _e11.sine) - incident_b_1);
+    float z_2 = sqrt(max((((1.0 - x_24) * (1.0 + x_24)) - (y_16 * y_16)), 0.0));
+    const float _e28 = base_lobe_pdf(radius_17, wavelength_19, incident_t_1, incident_b_1, x_24, y_16, z_2);
+    const SampledDirection sampleddirection = ConstructSampledDirection(x_24, y_16, z_2, _e28);
     return sampleddirection;
 }
 
@@ -2165,15 +2199,15 @@ float lobe_reach(float b_9, float n)
 // Returns the density of the lobe of a scratch, in 1/sr: a Gaussian along it, a Lorentzian across.
 //
 // Radius, wavelength and width in um; directions as in [`base_lobe_pdf`].
-float scratch_lobe_pdf(float radius_18, float wavelength_20, float width_9, float incident_t_2, float incident_b_2, float outgoing_t_1, float outgoing_b_1, float outgoing_n_1)
+float scratch_lobe_pdf(float radius_18, float wavelength_20, float width_10, float incident_t_2, float incident_b_2, float outgoing_t_1, float outgoing_b_1, float outgoing_n_1)
 {
     const float _e8 = lobe_reduced_radius(radius_18, wavelength_20);
-    float c_8 = (ARC_PI * (width_9 / wavelength_20));
+    float c_8 = (ARC_PI * (width_10 / wavelength_20));
     float along_5 = (_e8 * (incident_t_2 + outgoing_t_1));
-    float x_24 = (c_8 * (incident_b_2 + outgoing_b_1));
+    float x_25 = (c_8 * (incident_b_2 + outgoing_b_1));
     const float _e16 = lobe_reach(outgoing_b_1, outgoing_n_1);
     const float _e17 = lobe_lorentz_angle(c_8, incident_b_2, _e16);
-    float curved = (c_8 / (_e17 * (1.0 + (x_24 * x_24))));
+    float curved = (c_8 / (_e17 * (1.0 + (x_25 * x_25))));
     float across_6 = ((c_8 < LOBE_NARROW_LIMIT) ? (0.5 / _e16) : curved);
     const float _e30 = exponential(-((along_5 * along_5)));
     float gaussian = (_e8 * (_e30 * INVERSE_ROOT_PI));
@@ -2182,37 +2216,37 @@ float scratch_lobe_pdf(float radius_18, float wavelength_20, float width_9, floa
 
 // Returns a direction of the lobe of a scratch from two random numbers of \[0, 1); density 0 for an
 // evanescent draw.
-SampledDirection scratch_lobe_sample(float radius_19, float wavelength_21, float width_10, float incident_t_3, float incident_b_3, float first_7, float second_1)
+SampledDirection scratch_lobe_sample(float radius_19, float wavelength_21, float width_11, float incident_t_3, float incident_b_3, float first_8, float second_1)
 {
     const float _e7 = lobe_reduced_radius(radius_19, wavelength_21);
-    float c_9 = (ARC_PI * (width_10 / wavelength_21));
-    const float _e11 = gaussian_inverse(first_7);
-    float x_25 = ((_e11 / _e7) - incident_t_3);
-    float g_1 = sqrt(max(((1.0 - x_25) * (1.0 + x_25)), 0.0));
-    float b_11 = abs(incident_b_3);
+    float c_9 = (ARC_PI * (width_11 / wavelength_21));
+    const float _e11 = gaussian_inverse(first_8);
+    float x_26 = ((_e11 / _e7) - incident_t_3);
+    float g_1 = sqrt(max(((1.0 - x_26) * (1.0 + x_26)), 0.0));
+    float b_12 = abs(incident_b_3);
     bool mirrored = (incident_b_3 < 0.0);
     float u_16 = (mirrored ? second_1 : (1.0 - second_1));
-    float far_3 = (c_9 * (b_11 + g_1));
-    const float _e30 = lobe_lorentz_angle(c_9, b_11, g_1);
+    float far_3 = (c_9 * (b_12 + g_1));
+    const float _e30 = lobe_lorentz_angle(c_9, b_12, g_1);
     const SineCosine _e32 = sine_cosine((u_16 * _e30));
     float curved_1 = ((_e32.sine * (1.0 + (far_3 * far_3))) / (c_9 * (_e32.cosine + (far_3 * _e32.sine))));
     float from_end = ((c_9 < LOBE_NARROW_LIMIT) ? (u_16 * (g_1 + g_1)) : curved_1);
     float beta = (g_1 - from_end);
-    float y_16 = (mirrored ? -(beta) : beta);
-    float z_2 = sqrt(max((from_end * ((g_1 + g_1) - from_end)), 0.0));
-    const float _e58 = scratch_lobe_pdf(radius_19, wavelength_21, width_10, incident_t_3, incident_b_3, x_25, y_16, z_2);
-    const SampledDirection sampleddirection_1 = ConstructSampledDirection(x_25, y_16, z_2, _e58);
+    float y_17 = (mirrored ? -(beta) : beta);
+    float z_3 = sqrt(max((from_end * ((g_1 + g_1) - from_end)), 0.0));
+    const float _e58 = scratch_lobe_pdf(radius_19, wavelength_21, width_11, incident_t_3, incident_b_3, x_26, y_17, z_3);
+    const SampledDirection sampleddirection_1 = ConstructSampledDirection(x_26, y_17, z_3, _e58);
     return sampleddirection_1;
 }
 
 // Returns 1 - e^(-2 kappa), relatively accurate, for kappa >= 0.
 float cone_mass(float concentration)
 {
-    float z_3 = (concentration + concentration);
-    float upper_5 = (0.008333334 - (z_3 * (0.0013888889 - (z_3 * (0.0001984127 - (z_3 * 2.4801588e-5))))));
-    float series_3 = (z_3 * (0.5 - (z_3 * (0.16666667 - (z_3 * (0.041666668 - (z_3 * upper_5)))))));
-    const float _e24 = exponential(-(z_3));
-    return ((z_3 < 0.5) ? (z_3 - (z_3 * series_3)) : (1.0 - _e24));
+    float z_4 = (concentration + concentration);
+    float upper_5 = (0.008333334 - (z_4 * (0.0013888889 - (z_4 * (0.0001984127 - (z_4 * 2.4801588e-5))))));
+    float series_3 = (z_4 * (0.5 - (z_4 * (0.16666667 - (z_4 * (0.041666668 - (z_4 * upper_5)))))));
+    const float _e24 = exponential(-(z_4));
+    return ((z_4 < 0.5) ? (z_4 - (z_4 * series_3)) : (1.0 - _e24));
 }
 
 // Returns the density of the published cone of a scratch, in 1/sr (WVJH17 section 5), for a
@@ -2235,26 +2269,26 @@ float scratch_cone_pdf(float concentration_1, float incident_t_4, float incident
 }
 
 // Returns a direction of the published cone from three random numbers of \[0, 1).
-SampledDirection scratch_cone_sample(float concentration_2, float incident_t_5, float incident_b_5, float incident_n_1, float first_8, float second_2, float third)
+SampledDirection scratch_cone_sample(float concentration_2, float incident_t_5, float incident_b_5, float incident_n_1, float first_9, float second_2, float third)
 {
     const float _e7 = cone_mass(concentration_2);
-    const float _e9 = log_one_minus((first_8 * _e7));
+    const float _e9 = log_one_minus((first_9 * _e7));
     float curved_2 = (-(_e9) / concentration_2);
-    float versine = min(((concentration_2 < LOBE_UNIFORM_LIMIT) ? (first_8 + first_8) : curved_2), 2.0);
+    float versine = min(((concentration_2 < LOBE_UNIFORM_LIMIT) ? (first_9 + first_9) : curved_2), 2.0);
     float cosine = (1.0 - versine);
     float sine_4 = sqrt((versine * (2.0 - versine)));
     const SineCosine _e24 = sine_cosine_turns(second_2);
     float s_10 = sqrt(((incident_b_5 * incident_b_5) + (incident_n_1 * incident_n_1)));
     float turned = (sine_4 * _e24.cosine);
-    float x_26 = (-((incident_t_5 * cosine)) - (s_10 * turned));
+    float x_27 = (-((incident_t_5 * cosine)) - (s_10 * turned));
     float across_7 = ((s_10 * cosine) - (incident_t_5 * turned));
     float beside = (sine_4 * _e24.sine);
     float reach = sqrt(((across_7 * across_7) + (beside * beside)));
     const SineCosine _e46 = sine_cosine_turns((0.5 * third));
-    float y_17 = (reach * _e46.cosine);
-    float z_4 = (reach * _e46.sine);
-    const float _e51 = scratch_cone_pdf(concentration_2, incident_t_5, incident_b_5, incident_n_1, x_26, y_17, z_4);
-    const SampledDirection sampleddirection_2 = ConstructSampledDirection(x_26, y_17, z_4, _e51);
+    float y_18 = (reach * _e46.cosine);
+    float z_5 = (reach * _e46.sine);
+    const float _e51 = scratch_cone_pdf(concentration_2, incident_t_5, incident_b_5, incident_n_1, x_27, y_18, z_5);
+    const SampledDirection sampleddirection_2 = ConstructSampledDirection(x_27, y_18, z_5, _e51);
     return sampleddirection_2;
 }
 
@@ -2267,4 +2301,482 @@ float balance_weight(float own, float others)
     float ratio = (min(own, others) / max(own, others));
     float larger = (1.0 / (1.0 + ratio));
     return ((own == 0.0) ? 0.0 : ((own >= others) ? larger : (ratio * larger)));
+}
+
+LightLine ConstructLightLine(float arg0, float arg1, float arg2, float arg3) {
+    LightLine ret = (LightLine)0;
+    ret.x = arg0;
+    ret.rest = arg1;
+    ret.view = arg2;
+    ret.width = arg3;
+    return ret;
+}
+
+// Returns the line xi_t = 0 for a view and a scratch.
+LightLine light_line(float wavelength_22, float width_12, float view_t, float view_b)
+{
+    const LightLine lightline = ConstructLightLine(-(view_t), max(((1.0 - view_t) * (1.0 + view_t)), 0.0), view_b, (width_12 / wavelength_22));
+    return lightline;
+}
+
+// Returns the band's Gaussian integral over k W/2: what turns an arc of sinc^2 into the integral
+// over a light.
+float light_scale(float radius_20, float wavelength_23, float width_13)
+{
+    return ((LIGHT_HALF_INVERSE_ROOT_PI * (wavelength_23 / radius_20)) * (wavelength_23 / (ARC_PI * width_13)));
+}
+
+// Returns the integral of exp(-(sigma k xi_t)^2) sinc^2(k W xi_b/2) over a sphere that covers the
+// band, by the chord at
+// xi_t = 0, dimensionless (VWH18 3.4.1 with the true tangent cone).
+//
+// `x`, `y`, `z` is the sphere's centre. A sphere that the line misses gives 0; one that contains
+// the shaded point has
+// no chord.
+float sphere_light_chord(float radius_21, float wavelength_24, float width_14, float view_t_1, float view_b_1, float x_21, float y_6, float z, float sphere_radius)
+{
+    bool local_7 = (bool)0;
+    bool local_8 = (bool)0;
+    bool local_9 = (bool)0;
+    bool local_10 = (bool)0;
+    bool local_11 = (bool)0;
+    float value_1 = (float)0;
+    bool local_12 = (bool)0;
+    bool local_13 = (bool)0;
+    bool local_14 = (bool)0;
+
+    const LightLine _e9 = light_line(wavelength_24, width_14, view_t_1, view_b_1);
+    float tilt = ((y_6 * y_6) + (z * z));
+    float square_3 = ((x_21 * x_21) + tilt);
+    float tangent = sqrt(max((square_3 - (sphere_radius * sphere_radius)), 0.0));
+    float per_square = (1.0 / square_3);
+    float per_tilt = (1.0 / tilt);
+    float p_5 = (_e9.x - ((tangent * per_square) * x_21));
+    float reach_1 = ((sphere_radius * per_square) * sqrt(tilt));
+    float discriminant = ((reach_1 - p_5) * (reach_1 + p_5));
+    float root_1 = (sqrt((max(discriminant, 0.0) * square_3)) * per_tilt);
+    float level = ((tangent * per_square) - ((p_5 * per_tilt) * x_21));
+    float centre_b = (y_6 * level);
+    float reach_b = (z * root_1);
+    float left_z = ((z * level) + (y_6 * root_1));
+    float right_z = ((z * level) - (y_6 * root_1));
+    float edge_3 = sqrt(_e9.rest);
+    bool met = (discriminant > 0.0);
+    if ((left_z < 0.0)) {
+        local_7 = (right_z < 0.0);
+    } else {
+        local_7 = false;
+    }
+    bool both_below = local_7;
+    float depth_8 = (level * tilt);
+    bool inside_1 = ((met ? (depth_8 + (abs(y_6) * edge_3)) : depth_8) < 0.0);
+    if ((left_z >= 0.0)) {
+        local_8 = (right_z >= 0.0);
+    } else {
+        local_8 = false;
+    }
+    bool _e77 = local_8;
+    if (_e77) {
+        local_9 = met;
+    } else {
+        local_9 = false;
+    }
+    bool above_1 = local_9;
+    if ((left_z >= 0.0)) {
+        local_10 = met;
+    } else {
+        local_10 = false;
+    }
+    bool _e92 = local_10;
+    float left_1 = (_e92 ? min(max((centre_b - reach_b), -(edge_3)), edge_3) : -(edge_3));
+    if ((right_z >= 0.0)) {
+        local_11 = met;
+    } else {
+        local_11 = false;
+    }
+    bool _e103 = local_11;
+    float right_1 = (_e103 ? min(max((centre_b + reach_b), -(edge_3)), edge_3) : edge_3);
+    float extent_7 = (above_1 ? abs((reach_b + reach_b)) : abs((right_1 - left_1)));
+    const float _e115 = arc_turns(_e9.width, (left_1 + _e9.view), (right_1 + _e9.view), extent_7);
+    value_1 = _e115;
+    if (above_1) {
+        local_12 = (reach_b < 0.0);
+    } else {
+        local_12 = false;
+    }
+    bool _e122 = local_12;
+    if (_e122) {
+        float _e123 = value_1;
+        const float _e130 = arc_turns(_e9.width, (_e9.view - edge_3), (_e9.view + edge_3), (edge_3 + edge_3));
+        value_1 = (_e123 + _e130);
+    }
+    float _e132 = value_1;
+    if (!(both_below)) {
+        local_13 = !(met);
+    } else {
+        local_13 = true;
+    }
+    bool _e139 = local_13;
+    if (_e139) {
+        local_14 = !(inside_1);
+    } else {
+        local_14 = false;
+    }
+    bool _e144 = local_14;
+    float seen_1 = (_e144 ? 0.0 : _e132);
+    const float _e146 = light_scale(radius_21, wavelength_24, width_14);
+    return (_e146 * max(seen_1, 0.0));
+}
+
+// Returns where an outline has met the line once more, at a direction of these two components: the
+// chord it ends, or
+// the beginning of the next.
+LightChords light_crossing(LightChords chords, LightLine cut, float b_10, float n_1, float direction)
+{
+    LightChords next = (LightChords)0;
+
+    next = chords;
+    if ((chords.open > 0.0)) {
+        next.begin_b = b_10;
+        next.begin_n = n_1;
+        next.open = 0.0;
+    } else {
+        float sum_b = abs((b_10 + chords.begin_b));
+        float sum_n = abs((n_1 + chords.begin_n));
+        float by_normals = ((abs((n_1 - chords.begin_n)) * sum_n) / sum_b);
+        float extent_8 = ((sum_n < sum_b) ? by_normals : abs((b_10 - chords.begin_b)));
+        const float _e35 = arc_turns(cut.width, (chords.begin_b + cut.view), (b_10 + cut.view), extent_8);
+        next.sum = (chords.sum + (direction * _e35));
+        next.open = 1.0;
+    }
+    LightChords _e42 = next;
+    const LightChords lightchords = _e42;
+    return lightchords;
+}
+
+// Returns on which side of the line a point is: 1 or -1.
+float light_side(LightLine cut_1, LightPoint p)
+{
+    return (((p.x - (cut_1.x * sqrt((((p.x * p.x) + (p.y * p.y)) + (p.z * p.z))))) >= 0.0) ? 1.0 : -1.0);
+}
+
+// Returns the chords after the visible arc from one point to another, whose sides are known.
+LightChords light_arc(LightChords chords_1, LightLine cut_2, LightPoint start, LightPoint stop, float start_side, float stop_side)
+{
+    LightChords next_1 = (LightChords)0;
+    bool local_15 = (bool)0;
+    bool local_16 = (bool)0;
+    bool local_17 = (bool)0;
+    bool local_18 = (bool)0;
+
+    next_1 = chords_1;
+    float dx_2 = (stop.x - start.x);
+    float dy_2 = (stop.y - start.y);
+    float dz_2 = (stop.z - start.z);
+    float nx = ((start.y * dz_2) - (start.z * dy_2));
+    float ny = ((start.z * dx_2) - (start.x * dz_2));
+    float nz = ((start.x * dy_2) - (start.y * dx_2));
+    float tilt_1 = ((ny * ny) + (nz * nz));
+    float offset_7 = (cut_2.x * nx);
+    float discriminant_1 = ((tilt_1 * cut_2.rest) - (offset_7 * offset_7));
+    float leaving = (start_side * ((nz * start.y) - (ny * start.z)));
+    float returning = (start_side * ((nz * stop.y) - (ny * stop.z)));
+    if ((start_side == stop_side)) {
+        local_15 = (discriminant_1 > 0.0);
+    } else {
+        local_15 = false;
+    }
+    bool _e58 = local_15;
+    if (_e58) {
+        local_16 = (leaving > 0.0);
+    } else {
+        local_16 = false;
+    }
+    bool _e64 = local_16;
+    if (_e64) {
+        local_17 = (returning < 0.0);
+    } else {
+        local_17 = false;
+    }
+    bool twice_6 = local_17;
+    if (!(twice_6)) {
+        local_18 = (start_side != stop_side);
+    } else {
+        local_18 = true;
+    }
+    bool _e76 = local_18;
+    if (_e76) {
+        float root_2 = sqrt(max(discriminant_1, 0.0));
+        float inverse_7 = (1.0 / tilt_1);
+        float base_b = -((offset_7 * ny));
+        float base_n = -((offset_7 * nz));
+        float move_b = (start_side * (nz * root_2));
+        float move_n = (start_side * (ny * root_2));
+        bool no_plane = (tilt_1 == 0.0);
+        float b_13 = (no_plane ? start.y : ((base_b + move_b) * inverse_7));
+        float n_10 = (no_plane ? start.z : ((base_n - move_n) * inverse_7));
+        LightChords _e100 = next_1;
+        const LightChords _e101 = light_crossing(_e100, cut_2, b_13, n_10, start_side);
+        next_1 = _e101;
+        if (twice_6) {
+            LightChords _e102 = next_1;
+            const LightChords _e108 = light_crossing(_e102, cut_2, ((base_b - move_b) * inverse_7), ((base_n + move_n) * inverse_7), -(start_side));
+            next_1 = _e108;
+        }
+    }
+    LightChords _e109 = next_1;
+    const LightChords lightchords_1 = _e109;
+    return lightchords_1;
+}
+
+LightPoint ConstructLightPoint(float arg0, float arg1, float arg2) {
+    LightPoint ret = (LightPoint)0;
+    ret.x = arg0;
+    ret.y = arg1;
+    ret.z = arg2;
+    return ret;
+}
+
+// Returns the point of an edge at the horizon, of any length.
+LightPoint light_horizon(LightPoint start_1, LightPoint stop_1)
+{
+    float a_8 = abs(stop_1.z);
+    float b_14 = abs(start_1.z);
+    const LightPoint lightpoint = ConstructLightPoint(((start_1.x * a_8) + (stop_1.x * b_14)), ((start_1.y * a_8) + (stop_1.y * b_14)), 0.0);
+    return lightpoint;
+}
+
+// Returns the chords after one more edge of a polygon.
+LightChords light_edge(LightChords chords_2, LightLine cut_3, LightPoint start_2, LightPoint stop_2, float start_side_1, float stop_side_1)
+{
+    LightChords next_2 = (LightChords)0;
+    bool local_19 = (bool)0;
+
+    next_2 = chords_2;
+    if ((start_2.z >= 0.0)) {
+        local_19 = (stop_2.z >= 0.0);
+    } else {
+        local_19 = false;
+    }
+    bool _e16 = local_19;
+    if (_e16) {
+        LightChords _e17 = next_2;
+        const LightChords _e18 = light_arc(_e17, cut_3, start_2, stop_2, start_side_1, stop_side_1);
+        next_2 = _e18;
+    } else {
+        if ((start_2.z >= 0.0)) {
+            const LightPoint _e22 = light_horizon(start_2, stop_2);
+            LightChords _e23 = next_2;
+            const float _e24 = light_side(cut_3, _e22);
+            const LightChords _e25 = light_arc(_e23, cut_3, start_2, _e22, start_side_1, _e24);
+            next_2 = _e25;
+            next_2.setting = _e22;
+            next_2.below = 1.0;
+        } else {
+            if ((stop_2.z >= 0.0)) {
+                const LightPoint _e32 = light_horizon(start_2, stop_2);
+                const float _e33 = light_side(cut_3, _e32);
+                float _e35 = next_2.below;
+                if ((_e35 > 0.0)) {
+                    LightChords _e38 = next_2;
+                    LightPoint _e40 = next_2.setting;
+                    LightPoint _e42 = next_2.setting;
+                    const float _e43 = light_side(cut_3, _e42);
+                    const LightChords _e44 = light_arc(_e38, cut_3, _e40, _e32, _e43, _e33);
+                    next_2 = _e44;
+                    next_2.below = 0.0;
+                } else {
+                    next_2.rise = _e32;
+                    next_2.risen = 1.0;
+                }
+                LightChords _e50 = next_2;
+                const LightChords _e51 = light_arc(_e50, cut_3, _e32, stop_2, _e33, stop_side_1);
+                next_2 = _e51;
+            }
+        }
+    }
+    LightChords _e52 = next_2;
+    const LightChords lightchords_2 = _e52;
+    return lightchords_2;
+}
+
+LightChords ConstructLightChords(float arg0, float arg1, float arg2, float arg3, LightPoint arg4, float arg5, LightPoint arg6, float arg7) {
+    LightChords ret = (LightChords)0;
+    ret.sum = arg0;
+    ret.begin_b = arg1;
+    ret.begin_n = arg2;
+    ret.open = arg3;
+    ret.setting = arg4;
+    ret.below = arg5;
+    ret.rise = arg6;
+    ret.risen = arg7;
+    return ret;
+}
+
+// Returns no chords.
+LightChords light_chords()
+{
+    LightPoint none = ConstructLightPoint(0.0, 0.0, 0.0);
+    const LightChords lightchords_3 = ConstructLightChords(0.0, 0.0, 0.0, 1.0, none, 0.0, none, 0.0);
+    return lightchords_3;
+}
+
+// Returns the integral over all chords of a closed outline.
+float light_closed(LightChords chords_3, LightLine cut_4)
+{
+    LightChords inside = (LightChords)0;
+    bool local_20 = (bool)0;
+
+    inside = chords_3;
+    float _e4 = inside.below;
+    if ((_e4 > 0.0)) {
+        float _e10 = inside.risen;
+        local_20 = (_e10 > 0.0);
+    } else {
+        local_20 = false;
+    }
+    bool _e14 = local_20;
+    if (_e14) {
+        LightChords _e15 = inside;
+        LightPoint _e17 = inside.setting;
+        LightPoint _e19 = inside.rise;
+        LightPoint _e21 = inside.setting;
+        const float _e22 = light_side(cut_4, _e21);
+        LightPoint _e24 = inside.rise;
+        const float _e25 = light_side(cut_4, _e24);
+        const LightChords _e26 = light_arc(_e15, cut_4, _e17, _e19, _e22, _e25);
+        inside = _e26;
+    }
+    float _e28 = inside.sum;
+    return abs(_e28);
+}
+
+// Returns the integral of exp(-(sigma k xi_t)^2) sinc^2(k W xi_b/2) over a triangle that covers the
+// band, by the chord at
+// xi_t = 0, dimensionless (VWH18 3.4.2).
+//
+// The three vertices follow, either way round. A triangle that the line misses gives 0.
+float triangle_light_chord(float radius_22, float wavelength_25, float width_15, float view_t_2, float view_b_2, float ax, float ay, float az, float bx, float by, float bz, float cx, float cy, float cz)
+{
+    const LightLine _e14 = light_line(wavelength_25, width_15, view_t_2, view_b_2);
+    LightPoint a_9 = ConstructLightPoint(ax, ay, az);
+    LightPoint b_15 = ConstructLightPoint(bx, by, bz);
+    LightPoint c_10 = ConstructLightPoint(cx, cy, cz);
+    const float _e18 = light_side(_e14, a_9);
+    const float _e19 = light_side(_e14, b_15);
+    const float _e20 = light_side(_e14, c_10);
+    const LightChords _e21 = light_chords();
+    const LightChords _e22 = light_edge(_e21, _e14, a_9, b_15, _e18, _e19);
+    const LightChords _e23 = light_edge(_e22, _e14, b_15, c_10, _e19, _e20);
+    const LightChords _e24 = light_edge(_e23, _e14, c_10, a_9, _e20, _e18);
+    const float _e25 = light_scale(radius_22, wavelength_25, width_15);
+    const float _e26 = light_closed(_e24, _e14);
+    return (_e25 * _e26);
+}
+
+// Returns the integral of exp(-(sigma k xi_t)^2) sinc^2(k W xi_b/2) over a quadrilateral that
+// covers the band, by the
+// chords at xi_t = 0, dimensionless (VWH18 3.4.2).
+//
+// The four vertices follow in order, either way round, convex or not. A quadrilateral that the line
+// misses gives 0.
+float quad_light_chord(float radius_23, float wavelength_26, float width_16, float view_t_3, float view_b_3, float ax_1, float ay_1, float az_1, float bx_1, float by_1, float bz_1, float cx_1, float cy_1, float cz_1, float dx, float dy, float dz)
+{
+    const LightLine _e17 = light_line(wavelength_26, width_16, view_t_3, view_b_3);
+    LightPoint a_10 = ConstructLightPoint(ax_1, ay_1, az_1);
+    LightPoint b_16 = ConstructLightPoint(bx_1, by_1, bz_1);
+    LightPoint c_11 = ConstructLightPoint(cx_1, cy_1, cz_1);
+    LightPoint d_12 = ConstructLightPoint(dx, dy, dz);
+    const float _e22 = light_side(_e17, a_10);
+    const float _e23 = light_side(_e17, b_16);
+    const float _e24 = light_side(_e17, c_11);
+    const float _e25 = light_side(_e17, d_12);
+    const LightChords _e26 = light_chords();
+    const LightChords _e27 = light_edge(_e26, _e17, a_10, b_16, _e22, _e23);
+    const LightChords _e28 = light_edge(_e27, _e17, b_16, c_11, _e23, _e24);
+    const LightChords _e29 = light_edge(_e28, _e17, c_11, d_12, _e24, _e25);
+    const LightChords _e30 = light_edge(_e29, _e17, d_12, a_10, _e25, _e22);
+    const float _e31 = light_scale(radius_23, wavelength_26, width_16);
+    const float _e32 = light_closed(_e30, _e17);
+    return (_e31 * _e32);
+}
+
+// Returns the integral of exp(-(sigma k xi_t)^2) sinc^2(k W xi_b/2) over a polygon of three to
+// eight vertices that covers
+// the band, by the chords at xi_t = 0, dimensionless (VWH18 3.4.2).
+//
+// `count` is the number of vertices; the vertices follow in order, either way round, convex or not;
+// those beyond the
+// count are not read. A polygon that the line misses gives 0.
+float polygon_light_chord(float radius_24, float wavelength_27, float width_17, float view_t_4, float view_b_4, float count, float ax_2, float ay_2, float az_2, float bx_2, float by_2, float bz_2, float cx_2, float cy_2, float cz_2, float dx_1, float dy_1, float dz_1, float ex, float ey, float ez, float fx, float fy, float fz, float gx, float gy, float gz, float hx, float hy, float hz)
+{
+    LightChords chords_4 = (LightChords)0;
+    LightPoint last_7 = (LightPoint)0;
+    float last_side = (float)0;
+    uint i = 1u;
+
+    const LightLine _e30 = light_line(wavelength_27, width_17, view_t_4, view_b_4);
+    LightPoint a_11 = ConstructLightPoint(ax_2, ay_2, az_2);
+    const float _e32 = light_side(_e30, a_11);
+    const LightChords _e33 = light_chords();
+    chords_4 = _e33;
+    last_7 = a_11;
+    last_side = _e32;
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            uint _e124 = i;
+            i = (_e124 + 1u);
+        }
+        loop_init = false;
+        uint _e39 = i;
+        if ((_e39 < 8u)) {
+        } else {
+            break;
+        }
+        {
+            uint _e42 = i;
+            if ((float(_e42) < count)) {
+                uint _e45 = i;
+                uint _e49 = i;
+                uint _e53 = i;
+                uint _e57 = i;
+                uint _e61 = i;
+                uint _e65 = i;
+                float x_28 = ((_e65 > 4u) ? ((_e61 > 5u) ? ((_e57 == 7u) ? hx : gx) : fx) : ((_e53 > 2u) ? ((_e49 == 4u) ? ex : dx_1) : ((_e45 == 2u) ? cx_2 : bx_2)));
+                uint _e69 = i;
+                uint _e73 = i;
+                uint _e77 = i;
+                uint _e81 = i;
+                uint _e85 = i;
+                uint _e89 = i;
+                float y_19 = ((_e89 > 4u) ? ((_e85 > 5u) ? ((_e81 == 7u) ? hy : gy) : fy) : ((_e77 > 2u) ? ((_e73 == 4u) ? ey : dy_1) : ((_e69 == 2u) ? cy_2 : by_2)));
+                uint _e93 = i;
+                uint _e97 = i;
+                uint _e101 = i;
+                uint _e105 = i;
+                uint _e109 = i;
+                uint _e113 = i;
+                float z_6 = ((_e113 > 4u) ? ((_e109 > 5u) ? ((_e105 == 7u) ? hz : gz) : fz) : ((_e101 > 2u) ? ((_e97 == 4u) ? ez : dz_1) : ((_e93 == 2u) ? cz_2 : bz_2)));
+                LightPoint place_1 = ConstructLightPoint(x_28, y_19, z_6);
+                const float _e118 = light_side(_e30, place_1);
+                LightChords _e119 = chords_4;
+                LightPoint _e120 = last_7;
+                float _e121 = last_side;
+                const LightChords _e122 = light_edge(_e119, _e30, _e120, place_1, _e121, _e118);
+                chords_4 = _e122;
+                last_7 = place_1;
+                last_side = _e118;
+            }
+        }
+    }
+    LightChords _e126 = chords_4;
+    LightPoint _e127 = last_7;
+    float _e128 = last_side;
+    const LightChords _e129 = light_edge(_e126, _e30, _e127, a_11, _e128, _e32);
+    chords_4 = _e129;
+    const float _e130 = light_scale(radius_24, wavelength_27, width_17);
+    LightChords _e131 = chords_4;
+    const float _e132 = light_closed(_e131, _e30);
+    return (_e130 * _e132);
 }

@@ -528,6 +528,20 @@ fn product_fraction(x: f32, y: f32) -> f32 {
     return fraction - round(fraction);
 }
 
+// Returns the integral of (sin t / t)^2 over t = pi (W/lambda) xi between two direction cosines
+// whose difference is
+// known apart from them, to f32 grade; `extent` is its magnitude.
+fn arc_turns(width: f32, first: f32, last: f32, extent: f32) -> f32 {
+    let xi = arc_ends(first, last);
+    let scale = ARC_PI * width;
+    let ends = ArcEnds(scale * xi.near, scale * xi.far, xi.straddles);
+    let near_rest = ARC_PI * product_fraction(width, xi.near);
+    let far_rest = ARC_PI * product_fraction(width, xi.far);
+    let value = arc_of_phases(ends, scale * extent, near_rest, far_rest);
+    let signed = select(value, -value, last < first);
+    return select(signed, 0.0f, extent == 0.0f);
+}
+
 // Returns the integral of (sin t / t)^2 over t = pi (W/lambda) xi between two direction cosines, to
 // f32 grade.
 //
@@ -537,14 +551,7 @@ fn product_fraction(x: f32, y: f32) -> f32 {
 // lose digits in
 // proportion; a negative width has no meaning. VWH18 Eq. 27.
 fn sinc_squared_integral_turns(width: f32, first: f32, last: f32) -> f32 {
-    let xi = arc_ends(first, last);
-    let scale = ARC_PI * width;
-    let ends = ArcEnds(scale * xi.near, scale * xi.far, xi.straddles);
-    let near_rest = ARC_PI * product_fraction(width, xi.near);
-    let far_rest = ARC_PI * product_fraction(width, xi.far);
-    let value = arc_of_phases(ends, scale * (xi.far - xi.near), near_rest, far_rest);
-    let signed = select(value, -value, last < first);
-    return select(signed, 0.0f, first == last);
+    return arc_turns(width, first, last, abs(abs(last) - abs(first)));
 }
 
 // Returns H(2q) for q below the border, to 1e-8.
@@ -2278,4 +2285,299 @@ fn balance_weight(own: f32, others: f32) -> f32 {
     let ratio = min(own, others) / max(own, others);
     let larger = 1.0f / (1.0f + ratio);
     return select(select(ratio * larger, larger, own >= others), 0.0f, own == 0.0f);
+}
+
+// ---- light ----
+// Area lights over the lobe of an infinite scratch, one chord each, in f32.
+// Sources named: VWH18 Eq. 27, VWH18 3.4.1, VWH18 3.4.2.
+
+// 1/(2 sqrt(pi)).
+const LIGHT_HALF_INVERSE_ROOT_PI: f32 = 0.2820948f;
+
+// A point or a direction relative to the shaded point: tangent, bitangent, normal.
+struct LightPoint {
+    // Along the tangent.
+    x: f32,
+    // Along the bitangent.
+    y: f32,
+    // Along the normal.
+    z: f32,
+}
+
+// The line xi_t = 0 across a light, and what counts along it.
+struct LightLine {
+    // The tangent component of the light's direction on the line.
+    x: f32,
+    // 1 - x^2.
+    rest: f32,
+    // The view's bitangent component.
+    view: f32,
+    // Width over wavelength.
+    width: f32,
+}
+
+// The chords of a polygon met so far.
+struct LightChords {
+    // The integral over the complete ones.
+    sum: f32,
+    // Where the last one begins, if it has no end yet: the bitangent component of the direction.
+    begin_b: f32,
+    // The normal component.
+    begin_n: f32,
+    // Whether it has none: then 1, else 0.
+    open: f32,
+    // Where the outline went below the horizon, if it has not come back.
+    setting: LightPoint,
+    // 1 if it has not, else 0.
+    below: f32,
+    // Where the outline came up first.
+    rise: LightPoint,
+    // 1 if it came up before it went down, else 0.
+    risen: f32,
+}
+
+// Returns the line xi_t = 0 for a view and a scratch.
+fn light_line(wavelength: f32, width: f32, view_t: f32, view_b: f32) -> LightLine {
+    return LightLine(-view_t, max((1.0f - view_t) * (1.0f + view_t), 0.0f), view_b, width /
+        wavelength);
+}
+
+// Returns the band's Gaussian integral over k W/2: what turns an arc of sinc^2 into the integral
+// over a light.
+fn light_scale(radius: f32, wavelength: f32, width: f32) -> f32 {
+    return LIGHT_HALF_INVERSE_ROOT_PI * (wavelength / radius) * (wavelength / (ARC_PI * width));
+}
+
+// Returns the integral of exp(-(sigma k xi_t)^2) sinc^2(k W xi_b/2) over a sphere that covers the
+// band, by the chord at
+// xi_t = 0, dimensionless (VWH18 3.4.1 with the true tangent cone).
+//
+// `x`, `y`, `z` is the sphere's centre. A sphere that the line misses gives 0; one that contains
+// the shaded point has
+// no chord.
+fn sphere_light_chord(radius: f32, wavelength: f32, width: f32, view_t: f32, view_b: f32, x: f32, y:
+    f32, z: f32, sphere_radius: f32) -> f32 {
+    let cut = light_line(wavelength, width, view_t, view_b);
+    let tilt = y * y + z * z;
+    let square = x * x + tilt;
+    let tangent = sqrt(max(square - sphere_radius * sphere_radius, 0.0f));
+    let per_square = 1.0f / square;
+    let per_tilt = 1.0f / tilt;
+    let p = cut.x - (tangent * per_square) * x;
+    let reach = (sphere_radius * per_square) * sqrt(tilt);
+    let discriminant = (reach - p) * (reach + p);
+    let root = sqrt(max(discriminant, 0.0f) * square) * per_tilt;
+    let level = tangent * per_square - (p * per_tilt) * x;
+    let centre_b = y * level;
+    let reach_b = z * root;
+    let left_z = z * level + y * root;
+    let right_z = z * level - y * root;
+    let edge = sqrt(cut.rest);
+    let met = discriminant > 0.0f;
+    let both_below = left_z < 0.0f && right_z < 0.0f;
+    let depth = level * tilt;
+    let inside = select(depth, depth + abs(y) * edge, met) < 0.0f;
+    let above = left_z >= 0.0f && right_z >= 0.0f && met;
+    let left = select(-edge, min(max(centre_b - reach_b, -edge), edge), left_z >= 0.0f && met);
+    let right = select(edge, min(max(centre_b + reach_b, -edge), edge), right_z >= 0.0f && met);
+    let extent = select(abs(right - left), abs(reach_b + reach_b), above);
+    var value = arc_turns(cut.width, left + cut.view, right + cut.view, extent);
+    if above && reach_b < 0.0f {
+        value += arc_turns(cut.width, cut.view - edge, cut.view + edge, edge + edge);
+    }
+    let seen = select(value, 0.0f, (both_below || !met) && !inside);
+    return light_scale(radius, wavelength, width) * max(seen, 0.0f);
+}
+
+// Returns where an outline has met the line once more, at a direction of these two components: the
+// chord it ends, or
+// the beginning of the next.
+fn light_crossing(chords: LightChords, cut: LightLine, b: f32, n: f32, direction: f32) ->
+    LightChords {
+    var next = chords;
+    if chords.open > 0.0f {
+        next.begin_b = b;
+        next.begin_n = n;
+        next.open = 0.0f;
+    } else {
+        let sum_b = abs(b + chords.begin_b);
+        let sum_n = abs(n + chords.begin_n);
+        let by_normals = abs(n - chords.begin_n) * sum_n / sum_b;
+        let extent = select(abs(b - chords.begin_b), by_normals, sum_n < sum_b);
+        let arc = arc_turns(cut.width, chords.begin_b + cut.view, b + cut.view, extent);
+        next.sum = chords.sum + direction * arc;
+        next.open = 1.0f;
+    }
+    return next;
+}
+
+// Returns on which side of the line a point is: 1 or -1.
+fn light_side(cut: LightLine, p: LightPoint) -> f32 {
+    return select(-1.0f, 1.0f, p.x - cut.x * sqrt((p.x * p.x + p.y * p.y) + p.z * p.z) >= 0.0f);
+}
+
+// Returns the chords after the visible arc from one point to another, whose sides are known.
+fn light_arc(chords: LightChords, cut: LightLine, start: LightPoint, stop: LightPoint, start_side:
+    f32, stop_side: f32) -> LightChords {
+    var next = chords;
+    let dx = stop.x - start.x;
+    let dy = stop.y - start.y;
+    let dz = stop.z - start.z;
+    let nx = start.y * dz - start.z * dy;
+    let ny = start.z * dx - start.x * dz;
+    let nz = start.x * dy - start.y * dx;
+    let tilt = ny * ny + nz * nz;
+    let offset = cut.x * nx;
+    let discriminant = tilt * cut.rest - offset * offset;
+    let leaving = start_side * (nz * start.y - ny * start.z);
+    let returning = start_side * (nz * stop.y - ny * stop.z);
+    let twice = start_side == stop_side && discriminant > 0.0f && leaving > 0.0f && returning <
+        0.0f;
+    if twice || start_side != stop_side {
+        let root = sqrt(max(discriminant, 0.0f));
+        let inverse = 1.0f / tilt;
+        let base_b = -(offset * ny);
+        let base_n = -(offset * nz);
+        let move_b = start_side * (nz * root);
+        let move_n = start_side * (ny * root);
+        let no_plane = tilt == 0.0f;
+        let b = select((base_b + move_b) * inverse, start.y, no_plane);
+        let n = select((base_n - move_n) * inverse, start.z, no_plane);
+        next = light_crossing(next, cut, b, n, start_side);
+        if twice {
+            next = light_crossing(next, cut, (base_b - move_b) * inverse, (base_n + move_n) *
+                inverse, -start_side);
+        }
+    }
+    return next;
+}
+
+// Returns the point of an edge at the horizon, of any length.
+fn light_horizon(start: LightPoint, stop: LightPoint) -> LightPoint {
+    let a = abs(stop.z);
+    let b = abs(start.z);
+    return LightPoint(start.x * a + stop.x * b, start.y * a + stop.y * b, 0.0f);
+}
+
+// Returns the chords after one more edge of a polygon.
+fn light_edge(chords: LightChords, cut: LightLine, start: LightPoint, stop: LightPoint, start_side:
+    f32, stop_side: f32) -> LightChords {
+    var next = chords;
+    if start.z >= 0.0f && stop.z >= 0.0f {
+        next = light_arc(next, cut, start, stop, start_side, stop_side);
+    } else if start.z >= 0.0f {
+        let setting = light_horizon(start, stop);
+        next = light_arc(next, cut, start, setting, start_side, light_side(cut, setting));
+        next.setting = setting;
+        next.below = 1.0f;
+    } else if stop.z >= 0.0f {
+        let rise = light_horizon(start, stop);
+        let side = light_side(cut, rise);
+        if next.below > 0.0f {
+            next = light_arc(next, cut, next.setting, rise, light_side(cut, next.setting), side);
+            next.below = 0.0f;
+        } else {
+            next.rise = rise;
+            next.risen = 1.0f;
+        }
+        next = light_arc(next, cut, rise, stop, side, stop_side);
+    }
+    return next;
+}
+
+// Returns no chords.
+fn light_chords() -> LightChords {
+    let none = LightPoint(0.0f, 0.0f, 0.0f);
+    return LightChords(0.0f, 0.0f, 0.0f, 1.0f, none, 0.0f, none, 0.0f);
+}
+
+// Returns the integral over all chords of a closed outline.
+fn light_closed(chords: LightChords, cut: LightLine) -> f32 {
+    var inside = chords;
+    if inside.below > 0.0f && inside.risen > 0.0f {
+        inside = light_arc(inside, cut, inside.setting, inside.rise, light_side(cut,
+            inside.setting), light_side(cut, inside.rise));
+    }
+    return abs(inside.sum);
+}
+
+// Returns the integral of exp(-(sigma k xi_t)^2) sinc^2(k W xi_b/2) over a triangle that covers the
+// band, by the chord at
+// xi_t = 0, dimensionless (VWH18 3.4.2).
+//
+// The three vertices follow, either way round. A triangle that the line misses gives 0.
+fn triangle_light_chord(radius: f32, wavelength: f32, width: f32, view_t: f32, view_b: f32, ax: f32,
+    ay: f32, az: f32, bx: f32, by: f32, bz: f32, cx: f32, cy: f32, cz: f32) -> f32 {
+    let cut = light_line(wavelength, width, view_t, view_b);
+    let a = LightPoint(ax, ay, az);
+    let b = LightPoint(bx, by, bz);
+    let c = LightPoint(cx, cy, cz);
+    let side_a = light_side(cut, a);
+    let side_b = light_side(cut, b);
+    let side_c = light_side(cut, c);
+    let first = light_edge(light_chords(), cut, a, b, side_a, side_b);
+    let second = light_edge(first, cut, b, c, side_b, side_c);
+    let third = light_edge(second, cut, c, a, side_c, side_a);
+    return light_scale(radius, wavelength, width) * light_closed(third, cut);
+}
+
+// Returns the integral of exp(-(sigma k xi_t)^2) sinc^2(k W xi_b/2) over a quadrilateral that
+// covers the band, by the
+// chords at xi_t = 0, dimensionless (VWH18 3.4.2).
+//
+// The four vertices follow in order, either way round, convex or not. A quadrilateral that the line
+// misses gives 0.
+fn quad_light_chord(radius: f32, wavelength: f32, width: f32, view_t: f32, view_b: f32, ax: f32, ay:
+    f32, az: f32, bx: f32, by: f32, bz: f32, cx: f32, cy: f32, cz: f32, dx: f32, dy: f32, dz: f32)
+    -> f32 {
+    let cut = light_line(wavelength, width, view_t, view_b);
+    let a = LightPoint(ax, ay, az);
+    let b = LightPoint(bx, by, bz);
+    let c = LightPoint(cx, cy, cz);
+    let d = LightPoint(dx, dy, dz);
+    let side_a = light_side(cut, a);
+    let side_b = light_side(cut, b);
+    let side_c = light_side(cut, c);
+    let side_d = light_side(cut, d);
+    let first = light_edge(light_chords(), cut, a, b, side_a, side_b);
+    let second = light_edge(first, cut, b, c, side_b, side_c);
+    let third = light_edge(second, cut, c, d, side_c, side_d);
+    let fourth = light_edge(third, cut, d, a, side_d, side_a);
+    return light_scale(radius, wavelength, width) * light_closed(fourth, cut);
+}
+
+// Returns the integral of exp(-(sigma k xi_t)^2) sinc^2(k W xi_b/2) over a polygon of three to
+// eight vertices that covers
+// the band, by the chords at xi_t = 0, dimensionless (VWH18 3.4.2).
+//
+// `count` is the number of vertices; the vertices follow in order, either way round, convex or not;
+// those beyond the
+// count are not read. A polygon that the line misses gives 0.
+fn polygon_light_chord(radius: f32, wavelength: f32, width: f32, view_t: f32, view_b: f32, count:
+    f32, ax: f32, ay: f32, az: f32, bx: f32, by: f32, bz: f32, cx: f32, cy: f32, cz: f32, dx: f32,
+    dy: f32, dz: f32, ex: f32, ey: f32, ez: f32, fx: f32, fy: f32, fz: f32, gx: f32, gy: f32, gz:
+    f32, hx: f32, hy: f32, hz: f32) -> f32 {
+    let cut = light_line(wavelength, width, view_t, view_b);
+    let a = LightPoint(ax, ay, az);
+    let first_side = light_side(cut, a);
+    var chords = light_chords();
+    var last = a;
+    var last_side = first_side;
+    for (var i: u32 = 1; i < 8u; i++) {
+        if (f32(i)) < count {
+            let x = select(select(select(bx, cx, i == 2u), select(dx, ex, i == 4u), i > 2u),
+                select(fx, select(gx, hx, i == 7u), i > 5u), i > 4u);
+            let y = select(select(select(by, cy, i == 2u), select(dy, ey, i == 4u), i > 2u),
+                select(fy, select(gy, hy, i == 7u), i > 5u), i > 4u);
+            let z = select(select(select(bz, cz, i == 2u), select(dz, ez, i == 4u), i > 2u),
+                select(fz, select(gz, hz, i == 7u), i > 5u), i > 4u);
+            let place = LightPoint(x, y, z);
+            let side = light_side(cut, place);
+            chords = light_edge(chords, cut, last, place, last_side, side);
+            last = place;
+            last_side = side;
+        }
+    }
+    chords = light_edge(chords, cut, last, a, last_side, first_side);
+    return light_scale(radius, wavelength, width) * light_closed(chords, cut);
 }

@@ -19,6 +19,7 @@ mod erf_difference;
 mod error_function;
 mod faddeeva;
 mod footprint;
+pub mod light;
 mod profile;
 mod reduction;
 mod response;
