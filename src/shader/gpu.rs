@@ -43,6 +43,13 @@ pub(super) fn floor(x: f32) -> f32 {
     select(nearest, nearest - 1.0, nearest > x)
 }
 
+/// Returns the smallest integer that is not below `x`.
+#[inline(always)]
+pub(super) fn ceil(x: f32) -> f32 {
+    let nearest = round(x);
+    select(nearest, nearest + 1.0, nearest < x)
+}
+
 /// Returns the square root, correctly rounded; NaN below 0.
 ///
 /// The library has no platform to ask and loops over this vectorise: a step of second and one of third order for

@@ -162,7 +162,6 @@ pub(super) fn light_side(cut: LightLine, p: LightPoint) -> f32 {
 }
 
 /// Returns the chords after the visible arc from one point to another, whose sides are known.
-#[inline(always)]
 pub(super) fn light_arc(
     chords: LightChords,
     cut: LightLine,
@@ -224,7 +223,6 @@ pub(super) fn light_horizon(start: LightPoint, stop: LightPoint) -> LightPoint {
 }
 
 /// Returns the chords after one more edge of a polygon.
-#[inline(always)]
 pub(super) fn light_edge(
     chords: LightChords,
     cut: LightLine,
@@ -293,7 +291,6 @@ pub(super) fn light_closed(chords: LightChords, cut: LightLine) -> f32 {
 /// xi_t = 0, dimensionless (VWH18 3.4.2).
 ///
 /// The three vertices follow, either way round. A triangle that the line misses gives 0.
-#[inline(always)]
 #[must_use]
 #[allow(clippy::too_many_arguments)]
 pub fn triangle_light_chord(
@@ -329,7 +326,6 @@ pub fn triangle_light_chord(
 /// chords at xi_t = 0, dimensionless (VWH18 3.4.2).
 ///
 /// The four vertices follow in order, either way round, convex or not. A quadrilateral that the line misses gives 0.
-#[inline(always)]
 #[must_use]
 #[allow(clippy::too_many_arguments)]
 pub fn quad_light_chord(
@@ -372,7 +368,6 @@ pub fn quad_light_chord(
 ///
 /// `count` is the number of vertices; the vertices follow in order, either way round, convex or not; those beyond the
 /// count are not read. A polygon that the line misses gives 0.
-#[inline(always)]
 #[must_use]
 #[allow(clippy::too_many_arguments)]
 pub fn polygon_light_chord(

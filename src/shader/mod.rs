@@ -75,6 +75,7 @@
     reason = "constants are written with the digits that the generated text carries"
 )]
 
+mod area_light;
 mod bessel;
 mod bessel_coefficients;
 mod coefficients;
@@ -96,6 +97,7 @@ mod sine_integral;
 mod spatial_phase;
 mod turns;
 
+pub use area_light::{polygon_light, quad_light, sphere_light, triangle_light};
 pub use bessel::{bessel_i0_scaled, bessel_ratio, log_bessel_izero};
 pub use elementary::{SineCosine, exponential, sine_cosine, sine_cosine_turns};
 pub use erf_difference::{erf_difference_scaled, erf_difference_scaled_turns};

@@ -7,7 +7,7 @@ use crate::module::{Translation, translate};
 
 /// Kernel files below `src/shader`, each after those it calls. `gpu.rs` is the Rust side of WGSL's built-ins and
 /// is not translated.
-pub const SOURCES: [&str; 19] = [
+pub const SOURCES: [&str; 20] = [
     "coefficients.rs",
     "elementary.rs",
     "sine_integral.rs",
@@ -27,6 +27,7 @@ pub const SOURCES: [&str; 19] = [
     "inverse.rs",
     "sampling.rs",
     "light.rs",
+    "area_light.rs",
 ];
 
 /// A generated file.

@@ -88,6 +88,35 @@ struct LightChords {
     LightPoint rise;
     float risen;
 };
+
+struct LightBand {
+    float along;
+    float width;
+    float view_t;
+    float view_b;
+    float reference;
+};
+
+struct LightCircle {
+    float centre_t;
+    float centre_b;
+    float reach;
+    float across_cosine;
+    float across_sine;
+};
+
+struct LightAngle {
+    float c;
+    float s;
+};
+
+struct LightOutline {
+    float sum;
+    LightPoint setting;
+    float below;
+    LightPoint rise;
+    float risen;
+};
 static const float SINE_A = -0.16666657;
 static const float SINE_B = 0.008333015;
 static const float SINE_C = -0.00019806474;
@@ -526,6 +555,16 @@ static const float SHARE_SMALLEST_LIMIT = 2.9802322e-8;
 static const float LOBE_NARROW_LIMIT = 1e-6;
 static const float LOBE_UNIFORM_LIMIT = 1e-7;
 static const float LIGHT_HALF_INVERSE_ROOT_PI = 0.2820948;
+static const float BAND_END = 3.5;
+static const float BAND_PANEL_LIMIT = 4.0;
+static const float BAND_NODE_A = 0.18343464;
+static const float BAND_NODE_B = 0.5255324;
+static const float BAND_NODE_C = 0.7966665;
+static const float BAND_NODE_D = 0.96028984;
+static const float BAND_WEIGHT_A = 0.36268377;
+static const float BAND_WEIGHT_B = 0.31370664;
+static const float BAND_WEIGHT_C = 0.22238104;
+static const float BAND_WEIGHT_D = 0.101228535;
 
 // Returns the value of an odd function at x from its `value` at |x|, the sign of a zero included.
 float odd_continuation(float x, float value)
@@ -565,9 +604,9 @@ SineCosine ConstructSineCosine(float arg0, float arg1) {
 SineCosine sine_cosine_near(float r)
 {
     float u_2 = (r * r);
-    float s_2 = (SINE_A + (u_2 * (SINE_B + (u_2 * (SINE_C + (u_2 * SINE_D))))));
-    float c_4 = (COSINE_A + (u_2 * (COSINE_B + (u_2 * (COSINE_C + (u_2 * COSINE_D))))));
-    const SineCosine sinecosine = ConstructSineCosine((r + (r * (u_2 * s_2))), (1.0 - (u_2 * (0.5 - (u_2 * c_4)))));
+    float s_4 = (SINE_A + (u_2 * (SINE_B + (u_2 * (SINE_C + (u_2 * SINE_D))))));
+    float c_6 = (COSINE_A + (u_2 * (COSINE_B + (u_2 * (COSINE_C + (u_2 * COSINE_D))))));
+    const SineCosine sinecosine = ConstructSineCosine((r + (r * (u_2 * s_4))), (1.0 - (u_2 * (0.5 - (u_2 * c_6)))));
     return sinecosine;
 }
 
@@ -575,9 +614,9 @@ SineCosine sine_cosine_near(float r)
 SineCosine sine_cosine_near_medium(float r_1)
 {
     float u_3 = (r_1 * r_1);
-    float s_3 = (SINE_MEDIUM_A + (u_3 * (SINE_MEDIUM_B + (u_3 * SINE_MEDIUM_C))));
-    float c_5 = (COSINE_MEDIUM_A + (u_3 * (COSINE_MEDIUM_B + (u_3 * COSINE_MEDIUM_C))));
-    const SineCosine sinecosine_1 = ConstructSineCosine((r_1 + (r_1 * (u_3 * s_3))), (1.0 - (u_3 * (0.5 - (u_3 * c_5)))));
+    float s_5 = (SINE_MEDIUM_A + (u_3 * (SINE_MEDIUM_B + (u_3 * SINE_MEDIUM_C))));
+    float c_7 = (COSINE_MEDIUM_A + (u_3 * (COSINE_MEDIUM_B + (u_3 * COSINE_MEDIUM_C))));
+    const SineCosine sinecosine_1 = ConstructSineCosine((r_1 + (r_1 * (u_3 * s_5))), (1.0 - (u_3 * (0.5 - (u_3 * c_7)))));
     return sinecosine_1;
 }
 
@@ -585,9 +624,9 @@ SineCosine sine_cosine_near_medium(float r_1)
 SineCosine sine_cosine_near_coarse(float r_2)
 {
     float u_4 = (r_2 * r_2);
-    float s_4 = (SINE_COARSE_A + (u_4 * SINE_COARSE_B));
-    float c_6 = (COSINE_COARSE_A + (u_4 * COSINE_COARSE_B));
-    const SineCosine sinecosine_2 = ConstructSineCosine((r_2 + (r_2 * (u_4 * s_4))), (1.0 - (u_4 * (0.5 - (u_4 * c_6)))));
+    float s_6 = (SINE_COARSE_A + (u_4 * SINE_COARSE_B));
+    float c_8 = (COSINE_COARSE_A + (u_4 * COSINE_COARSE_B));
+    const SineCosine sinecosine_2 = ConstructSineCosine((r_2 + (r_2 * (u_4 * s_6))), (1.0 - (u_4 * (0.5 - (u_4 * c_8)))));
     return sinecosine_2;
 }
 
@@ -628,9 +667,9 @@ float exponential(float x_3)
     float e_1 = (EXPONENTIAL_A + (r_3 * (EXPONENTIAL_B + (r_3 * (EXPONENTIAL_C + (r_3 * (EXPONENTIAL_D + (r_3 * EXPONENTIAL_E))))))));
     float value_2 = (1.0 + (r_3 * (1.0 + (r_3 * e_1))));
     float halved_2 = round((n_3 * 0.5));
-    float first_10 = asfloat((asuint((halved_2 + EXPONENT_BIAS)) << 23u));
+    float first_11 = asfloat((asuint((halved_2 + EXPONENT_BIAS)) << 23u));
     float second_3 = asfloat((asuint(((n_3 - halved_2) + EXPONENT_BIAS)) << 23u));
-    return ((value_2 * first_10) * second_3);
+    return ((value_2 * first_11) * second_3);
 }
 
 // Returns Si(x), the integral of sin t / t from 0 to x (radians), to f32 grade.
@@ -638,21 +677,21 @@ float exponential(float x_3)
 // Any x; odd. VWH18 Eq. 28.
 float sine_integral(float x_4)
 {
-    float y_7 = abs(x_4);
-    float u_5 = (y_7 * y_7);
+    float y_8 = abs(x_4);
+    float u_5 = (y_8 * y_8);
     float q_8 = (SI_HEAD_A + (u_5 * (SI_HEAD_B + (u_5 * (SI_HEAD_C + (u_5 * (SI_HEAD_D + (u_5 * (SI_HEAD_E + (u_5 * SI_HEAD_F))))))))));
-    float head = (y_7 + (y_7 * (u_5 * q_8)));
-    float bounded_1 = min(y_7, PHASE_LIMIT);
+    float head = (y_8 + (y_8 * (u_5 * q_8)));
+    float bounded_1 = min(y_8, PHASE_LIMIT);
     const HalfTurns _e24 = reduce_half_turns(bounded_1);
     const SineCosine _e26 = sine_cosine_near(_e24.rest);
-    float s_5 = min(u_5, SQUARE_LIMIT);
-    float n_4 = ((s_5 * ((s_5 * ((s_5 * (s_5 + SI_F_A)) + SI_F_B)) + SI_F_C)) + SI_F_D);
-    float d_1 = ((s_5 * ((s_5 * ((s_5 * (s_5 + SI_D_A)) + SI_D_B)) + SI_D_C)) + SI_D_D);
-    float m_1 = ((s_5 * ((s_5 * (s_5 + SI_G_A)) + SI_G_B)) + SI_G_C);
+    float s_7 = min(u_5, SQUARE_LIMIT);
+    float n_4 = ((s_7 * ((s_7 * ((s_7 * (s_7 + SI_F_A)) + SI_F_B)) + SI_F_C)) + SI_F_D);
+    float d_1 = ((s_7 * ((s_7 * ((s_7 * (s_7 + SI_D_A)) + SI_D_B)) + SI_D_C)) + SI_D_D);
+    float m_1 = ((s_7 * ((s_7 * (s_7 + SI_G_A)) + SI_G_B)) + SI_G_C);
     float wave = (((_e26.cosine * n_4) + ((_e26.sine * bounded_1) * m_1)) / (bounded_1 * d_1));
     float tail = (HALF_PI - (_e24.parity * wave));
-    float value_3 = ((y_7 < SI_BORDER) ? head : tail);
-    float finite = ((y_7 >= PHASE_LIMIT) ? HALF_PI : value_3);
+    float value_3 = ((y_8 < SI_BORDER) ? head : tail);
+    float finite = ((y_8 >= PHASE_LIMIT) ? HALF_PI : value_3);
     const float _e78 = odd_continuation(x_4, finite);
     return _e78;
 }
@@ -660,20 +699,20 @@ float sine_integral(float x_4)
 // Returns Si(x) to 1e-5 absolute. Any x; odd. VWH18 Eq. 28.
 float sine_integral_medium(float x_5)
 {
-    float y_8 = abs(x_5);
-    float u_6 = (y_8 * y_8);
+    float y_9 = abs(x_5);
+    float u_6 = (y_9 * y_9);
     float q_9 = (SI_MEDIUM_HEAD_A + (u_6 * (SI_MEDIUM_HEAD_B + (u_6 * (SI_MEDIUM_HEAD_C + (u_6 * (SI_MEDIUM_HEAD_D + (u_6 * SI_MEDIUM_HEAD_E))))))));
-    float head_1 = (y_8 + (y_8 * (u_6 * q_9)));
-    float bounded_2 = min(y_8, PHASE_LIMIT);
+    float head_1 = (y_9 + (y_9 * (u_6 * q_9)));
+    float bounded_2 = min(y_9, PHASE_LIMIT);
     const HalfTurns _e21 = reduce_half_turns(bounded_2);
     const SineCosine _e23 = sine_cosine_near_medium(_e21.rest);
-    float s_6 = min(u_6, SQUARE_LIMIT);
-    float n_5 = ((s_6 * (s_6 + SI_MEDIUM_F_A)) + SI_MEDIUM_F_B);
-    float d_2 = ((s_6 * (s_6 + SI_MEDIUM_D_A)) + SI_MEDIUM_D_B);
-    float m_2 = (s_6 + SI_MEDIUM_G_A);
+    float s_8 = min(u_6, SQUARE_LIMIT);
+    float n_5 = ((s_8 * (s_8 + SI_MEDIUM_F_A)) + SI_MEDIUM_F_B);
+    float d_2 = ((s_8 * (s_8 + SI_MEDIUM_D_A)) + SI_MEDIUM_D_B);
+    float m_2 = (s_8 + SI_MEDIUM_G_A);
     float wave_1 = (((_e23.cosine * n_5) + ((_e23.sine * bounded_2) * m_2)) / (bounded_2 * d_2));
     float tail_1 = (HALF_PI - (_e21.parity * wave_1));
-    float value_4 = ((y_8 < SI_MEDIUM_BORDER) ? head_1 : tail_1);
+    float value_4 = ((y_9 < SI_MEDIUM_BORDER) ? head_1 : tail_1);
     const float _e53 = odd_continuation(x_5, value_4);
     return _e53;
 }
@@ -681,17 +720,17 @@ float sine_integral_medium(float x_5)
 // Returns Si(x) to 4e-4 absolute. Any x; odd. VWH18 Eq. 28.
 float sine_integral_coarse(float x_6)
 {
-    float y_9 = abs(x_6);
-    float u_7 = (y_9 * y_9);
+    float y_10 = abs(x_6);
+    float u_7 = (y_10 * y_10);
     float q_10 = (SI_COARSE_HEAD_A + (u_7 * (SI_COARSE_HEAD_B + (u_7 * (SI_COARSE_HEAD_C + (u_7 * SI_COARSE_HEAD_D))))));
-    float head_2 = (y_9 + (y_9 * (u_7 * q_10)));
-    float bounded_3 = min(y_9, PHASE_LIMIT);
+    float head_2 = (y_10 + (y_10 * (u_7 * q_10)));
+    float bounded_3 = min(y_10, PHASE_LIMIT);
     const HalfTurns _e18 = reduce_half_turns(bounded_3);
     const SineCosine _e20 = sine_cosine_near_coarse(_e18.rest);
-    float s_7 = min(u_7, SQUARE_LIMIT);
-    float wave_2 = (((_e20.cosine * (s_7 + SI_COARSE_F_A)) + (_e20.sine * bounded_3)) / (bounded_3 * (s_7 + SI_COARSE_D_A)));
+    float s_9 = min(u_7, SQUARE_LIMIT);
+    float wave_2 = (((_e20.cosine * (s_9 + SI_COARSE_F_A)) + (_e20.sine * bounded_3)) / (bounded_3 * (s_9 + SI_COARSE_D_A)));
     float tail_2 = (HALF_PI - (_e18.parity * wave_2));
-    float value_5 = ((y_9 < SI_COARSE_BORDER) ? head_2 : tail_2);
+    float value_5 = ((y_10 < SI_COARSE_BORDER) ? head_2 : tail_2);
     const float _e41 = odd_continuation(x_6, value_5);
     return _e41;
 }
@@ -701,12 +740,12 @@ float sine_integral_coarse(float x_6)
 // Kept to compare with: its differences have the wrong sign over a quarter of the axis.
 float sine_integral_velinov(float x_7)
 {
-    float y_10 = abs(x_7);
-    const SineCosine _e4 = sine_cosine(min(y_10, PHASE_LIMIT));
-    const float _e11 = exponential((2.0 * min(y_10, 20.0)));
+    float y_11 = abs(x_7);
+    const SineCosine _e4 = sine_cosine(min(y_11, PHASE_LIMIT));
+    const float _e11 = exponential((2.0 * min(y_11, 20.0)));
     float sigmoid = (1.0 - (2.0 / (_e11 + 1.0)));
-    float offset_5 = (y_10 - VELINOV_OFFSET);
-    float value_6 = (((HALF_PI * sigmoid) - ((VELINOV_BUMP * y_10) / (1.0 + (offset_5 * offset_5)))) + ((1.0 - _e4.cosine) / (1.0 + y_10)));
+    float offset_5 = (y_11 - VELINOV_OFFSET);
+    float value_6 = (((HALF_PI * sigmoid) - ((VELINOV_BUMP * y_11) / (1.0 + (offset_5 * offset_5)))) + ((1.0 - _e4.cosine) / (1.0 + y_11)));
     const float _e34 = odd_continuation(x_7, value_6);
     return _e34;
 }
@@ -787,23 +826,23 @@ float arc_join(ArcEnds ends, float extent, float border, float near_line, float 
 float arc_head(float q)
 {
     float u_8 = (q * q);
-    float p_1 = (ARC_HEAD_A + (u_8 * (ARC_HEAD_B + (u_8 * (ARC_HEAD_C + (u_8 * (ARC_HEAD_D + (u_8 * (ARC_HEAD_E + (u_8 * ARC_HEAD_F))))))))));
-    return (q + (q * (u_8 * p_1)));
+    float p_2 = (ARC_HEAD_A + (u_8 * (ARC_HEAD_B + (u_8 * (ARC_HEAD_C + (u_8 * (ARC_HEAD_D + (u_8 * (ARC_HEAD_E + (u_8 * ARC_HEAD_F))))))))));
+    return (q + (q * (u_8 * p_2)));
 }
 
 // Returns pi/2 - H(2q) - 1/(2q) for q above the border, from the phase of q reduced by half turns,
 // to f32 grade.
 float arc_wave(float q_1, SineCosine phase)
 {
-    float v_4 = (0.5 / q_1);
-    float w_1 = (v_4 * v_4);
-    float k = (w_1 * (ARC_K_A + (w_1 * (ARC_K_B + (w_1 * (ARC_K_C + (w_1 * (ARC_K_D + (w_1 * ARC_K_E)))))))));
+    float v_5 = (0.5 / q_1);
+    float w_1 = (v_5 * v_5);
+    float k_1 = (w_1 * (ARC_K_A + (w_1 * (ARC_K_B + (w_1 * (ARC_K_C + (w_1 * (ARC_K_D + (w_1 * ARC_K_E)))))))));
     float d_3 = (1.0 + (w_1 * (ARC_D_A + (w_1 * (ARC_D_B + (w_1 * (ARC_D_C + (w_1 * (ARC_D_D + (w_1 * ARC_D_E))))))))));
     float m_3 = (1.0 + (w_1 * (ARC_G_A + (w_1 * (ARC_G_B + (w_1 * (ARC_G_C + (w_1 * ARC_G_D))))))));
     float twice = (phase.sine + phase.sine);
     float double_sine = (twice * phase.cosine);
     float double_cosine = (1.0 - (twice * phase.sine));
-    return (((double_sine * (w_1 * m_3)) - (double_cosine * (v_4 * k))) / d_3);
+    return (((double_sine * (w_1 * m_3)) - (double_cosine * (v_5 * k_1))) / d_3);
 }
 
 // Returns the Gauss sum over a short arc that begins at q with the phase `rest`, to f32 grade.
@@ -902,22 +941,22 @@ float sinc_squared_integral_turns(float width_1, float first_3, float last_3)
 float arc_head_medium(float q_3)
 {
     float u_9 = (q_3 * q_3);
-    float p_2 = (ARC_MEDIUM_HEAD_A + (u_9 * (ARC_MEDIUM_HEAD_B + (u_9 * (ARC_MEDIUM_HEAD_C + (u_9 * (ARC_MEDIUM_HEAD_D + (u_9 * ARC_MEDIUM_HEAD_E))))))));
-    return (q_3 + (q_3 * (u_9 * p_2)));
+    float p_3 = (ARC_MEDIUM_HEAD_A + (u_9 * (ARC_MEDIUM_HEAD_B + (u_9 * (ARC_MEDIUM_HEAD_C + (u_9 * (ARC_MEDIUM_HEAD_D + (u_9 * ARC_MEDIUM_HEAD_E))))))));
+    return (q_3 + (q_3 * (u_9 * p_3)));
 }
 
 // Returns pi/2 - H(2q) - 1/(2q) for q above the border, to about 1e-6 of 1/(2q).
 float arc_wave_medium(float q_4, SineCosine phase_1)
 {
-    float v_5 = (0.5 / q_4);
-    float w_2 = (v_5 * v_5);
-    float k_1 = (w_2 * (ARC_MEDIUM_K_A + (w_2 * (ARC_MEDIUM_K_B + (w_2 * (ARC_MEDIUM_K_C + (w_2 * ARC_MEDIUM_K_D)))))));
+    float v_6 = (0.5 / q_4);
+    float w_2 = (v_6 * v_6);
+    float k_2 = (w_2 * (ARC_MEDIUM_K_A + (w_2 * (ARC_MEDIUM_K_B + (w_2 * (ARC_MEDIUM_K_C + (w_2 * ARC_MEDIUM_K_D)))))));
     float d_4 = (1.0 + (w_2 * (ARC_MEDIUM_D_A + (w_2 * (ARC_MEDIUM_D_B + (w_2 * (ARC_MEDIUM_D_C + (w_2 * ARC_MEDIUM_D_D))))))));
     float m_5 = (1.0 + (w_2 * (ARC_MEDIUM_G_A + (w_2 * (ARC_MEDIUM_G_B + (w_2 * ARC_MEDIUM_G_C))))));
     float twice_1 = (phase_1.sine + phase_1.sine);
     float double_sine_1 = (twice_1 * phase_1.cosine);
     float double_cosine_1 = (1.0 - (twice_1 * phase_1.sine));
-    return (((double_sine_1 * (w_2 * m_5)) - (double_cosine_1 * (v_5 * k_1))) / d_4);
+    return (((double_sine_1 * (w_2 * m_5)) - (double_cosine_1 * (v_6 * k_2))) / d_4);
 }
 
 // Returns the arc of [`sinc_squared_integral`] to 5e-6 absolute.
@@ -953,22 +992,22 @@ float sinc_squared_integral_medium(float first_4, float last_4)
 float arc_head_coarse(float q_5)
 {
     float u_10 = (q_5 * q_5);
-    float p_3 = (ARC_COARSE_HEAD_A + (u_10 * (ARC_COARSE_HEAD_B + (u_10 * (ARC_COARSE_HEAD_C + (u_10 * ARC_COARSE_HEAD_D))))));
-    return (q_5 + (q_5 * (u_10 * p_3)));
+    float p_4 = (ARC_COARSE_HEAD_A + (u_10 * (ARC_COARSE_HEAD_B + (u_10 * (ARC_COARSE_HEAD_C + (u_10 * ARC_COARSE_HEAD_D))))));
+    return (q_5 + (q_5 * (u_10 * p_4)));
 }
 
 // Returns pi/2 - H(2q) - 1/(2q) for q above the border, to about 3e-4 of 1/(2q).
 float arc_wave_coarse(float q_6, SineCosine phase_2)
 {
-    float v_6 = (0.5 / q_6);
-    float w_3 = (v_6 * v_6);
-    float k_2 = (w_3 * (ARC_COARSE_K_A + (w_3 * (ARC_COARSE_K_B + (w_3 * ARC_COARSE_K_C)))));
+    float v_7 = (0.5 / q_6);
+    float w_3 = (v_7 * v_7);
+    float k_3 = (w_3 * (ARC_COARSE_K_A + (w_3 * (ARC_COARSE_K_B + (w_3 * ARC_COARSE_K_C)))));
     float d_5 = (1.0 + (w_3 * (ARC_COARSE_D_A + (w_3 * (ARC_COARSE_D_B + (w_3 * ARC_COARSE_D_C))))));
     float m_7 = (1.0 + (w_3 * (ARC_COARSE_G_A + (w_3 * ARC_COARSE_G_B))));
     float twice_2 = (phase_2.sine + phase_2.sine);
     float double_sine_2 = (twice_2 * phase_2.cosine);
     float double_cosine_2 = (1.0 - (twice_2 * phase_2.sine));
-    return (((double_sine_2 * (w_3 * m_7)) - (double_cosine_2 * (v_6 * k_2))) / d_5);
+    return (((double_sine_2 * (w_3 * m_7)) - (double_cosine_2 * (v_7 * k_3))) / d_5);
 }
 
 // Returns the arc of [`sinc_squared_integral`] to 4e-4 absolute.
@@ -1043,8 +1082,8 @@ BesselPowers bessel_powers(float x_9)
 // Any x; even; 1 at 0, falls as 1/sqrt(2 pi |x|), 0 at infinity.
 float bessel_i0_scaled(float x_10)
 {
-    float y_11 = abs(x_10);
-    float near_y = min(y_11, BESSEL_FOURTH_END);
+    float y_12 = abs(x_10);
+    float near_y = min(y_12, BESSEL_FOURTH_END);
     bool second_4 = (near_y >= BESSEL_FIRST_END);
     bool third_1 = (near_y >= BESSEL_SECOND_END);
     bool fourth = (near_y >= BESSEL_THIRD_END);
@@ -1080,7 +1119,7 @@ float bessel_i0_scaled(float x_10)
     float d_6 = (near_y - centre_2);
     float upper = (pd + (d_6 * (pe + (d_6 * (pf + (d_6 * (pg + (d_6 * (ph + (d_6 * pi))))))))));
     float near_1 = (value_8 + (d_6 * (pa + (d_6 * (pb + (d_6 * (pc + (d_6 * upper))))))));
-    const BesselPowers _e100 = bessel_powers(max(y_11, BESSEL_FOURTH_END));
+    const BesselPowers _e100 = bessel_powers(max(y_12, BESSEL_FOURTH_END));
     bool odd_1 = ((_e100.exponent & 1u) == 0u);
     float low_root = (odd_1 ? BESSEL_LOW_ODD : BESSEL_LOW_EVEN);
     float high_root = (odd_1 ? BESSEL_HIGH_ODD : BESSEL_HIGH_EVEN);
@@ -1091,9 +1130,9 @@ float bessel_i0_scaled(float x_10)
     float bend = (BESSEL_ROOT_A + (t * (BESSEL_ROOT_B + (t * (BESSEL_ROOT_C + (t * (BESSEL_ROOT_D + (t * upper_root))))))));
     float q_11 = (t * bend);
     float whole_root = (root + (root * q_11));
-    float v_7 = (whole_root * whole_root);
-    bool tail_3 = (y_11 >= BESSEL_OUTER_END);
-    float w_4 = (v_7 - (tail_3 ? 0.0 : BESSEL_OUTER_CENTRE));
+    float v_8 = (whole_root * whole_root);
+    bool tail_3 = (y_12 >= BESSEL_OUTER_END);
+    float w_4 = (v_8 - (tail_3 ? 0.0 : BESSEL_OUTER_CENTRE));
     float ga = (tail_3 ? 0.0 : BESSEL_OUTER_A);
     float gb = (tail_3 ? BESSEL_TAIL_A : BESSEL_OUTER_B);
     float gc = (tail_3 ? BESSEL_TAIL_B : BESSEL_OUTER_C);
@@ -1106,8 +1145,8 @@ float bessel_i0_scaled(float x_10)
     float upper_growth = (ge + (w_4 * (gf + (w_4 * (gg + (w_4 * (gh + (w_4 * gi))))))));
     float growth = (ga + (w_4 * (gb + (w_4 * (gc + (w_4 * (gd + (w_4 * upper_growth))))))));
     float far = (root + (root * (q_11 + (growth + (q_11 * growth)))));
-    float finite_1 = ((y_11 >= BESSEL_FOURTH_END) ? far : near_1);
-    return ((asuint(y_11) == 2139095040u) ? 0.0 : finite_1);
+    float finite_1 = ((y_12 >= BESSEL_FOURTH_END) ? far : near_1);
+    return ((asuint(y_12) == 2139095040u) ? 0.0 : finite_1);
 }
 
 // Returns ln I0(x), to 2 units of the last place.
@@ -1115,12 +1154,12 @@ float bessel_i0_scaled(float x_10)
 // Any x; even; x^2/4 near 0, |x| - ln(2 pi |x|)/2 far from it.
 float log_bessel_izero(float x_11)
 {
-    float y_12 = abs(x_11);
-    float bounded_4 = min(y_12, BESSEL_HEAD_END);
+    float y_13 = abs(x_11);
+    float bounded_4 = min(y_13, BESSEL_HEAD_END);
     float u_11 = (bounded_4 * bounded_4);
     float bend_1 = (BESSEL_LOG_HEAD_A + (u_11 * (BESSEL_LOG_HEAD_B + (u_11 * (BESSEL_LOG_HEAD_C + (u_11 * (BESSEL_LOG_HEAD_D + (u_11 * BESSEL_LOG_HEAD_E))))))));
     float head_3 = (u_11 * (0.25 + (u_11 * bend_1)));
-    float middle_y = min(y_12, BESSEL_BORDER);
+    float middle_y = min(y_13, BESSEL_BORDER);
     bool second_5 = (middle_y >= BESSEL_LOG_FIRST_END);
     bool third_2 = (middle_y >= BESSEL_LOG_SECOND_END);
     float centre_low_1 = (second_5 ? BESSEL_LOG_SECOND_CENTRE : BESSEL_LOG_FIRST_CENTRE);
@@ -1143,20 +1182,20 @@ float log_bessel_izero(float x_11)
     float pg_1 = (second_5 ? pg_high_1 : 0.0);
     float d_7 = (middle_y - centre_3);
     float upper_1 = (pd_1 + (d_7 * (pe_1 + (d_7 * (pf_1 + (d_7 * pg_1))))));
-    float middle_2 = (value_9 + (d_7 * (pa_1 + (d_7 * (pb_1 + (d_7 * (pc_1 + (d_7 * upper_1))))))));
-    const BesselPowers _e90 = bessel_powers(max(y_12, BESSEL_BORDER));
+    float middle_3 = (value_9 + (d_7 * (pa_1 + (d_7 * (pb_1 + (d_7 * (pc_1 + (d_7 * upper_1))))))));
+    const BesselPowers _e90 = bessel_powers(max(y_13, BESSEL_BORDER));
     float t_1 = _e90.rest;
     float upper_log = (BESSEL_LN_E + (t_1 * (BESSEL_LN_F + (t_1 * BESSEL_LN_G))));
     float logarithm = (t_1 * (BESSEL_LN_A + (t_1 * (BESSEL_LN_B + (t_1 * (BESSEL_LN_C + (t_1 * (BESSEL_LN_D + (t_1 * upper_log)))))))));
-    float v_8 = (1.0 / max(y_12, BESSEL_BORDER));
-    float upper_growth_1 = (BESSEL_LOG_TAIL_E + (v_8 * (BESSEL_LOG_TAIL_F + (v_8 * (BESSEL_LOG_TAIL_G + (v_8 * BESSEL_LOG_TAIL_H))))));
-    float lower_growth = (BESSEL_LOG_TAIL_B + (v_8 * (BESSEL_LOG_TAIL_C + (v_8 * (BESSEL_LOG_TAIL_D + (v_8 * upper_growth_1))))));
-    float growth_1 = (v_8 * (BESSEL_LOG_TAIL_A + (v_8 * lower_growth)));
+    float v_9 = (1.0 / max(y_13, BESSEL_BORDER));
+    float upper_growth_1 = (BESSEL_LOG_TAIL_E + (v_9 * (BESSEL_LOG_TAIL_F + (v_9 * (BESSEL_LOG_TAIL_G + (v_9 * BESSEL_LOG_TAIL_H))))));
+    float lower_growth = (BESSEL_LOG_TAIL_B + (v_9 * (BESSEL_LOG_TAIL_C + (v_9 * (BESSEL_LOG_TAIL_D + (v_9 * upper_growth_1))))));
+    float growth_1 = (v_9 * (BESSEL_LOG_TAIL_A + (v_9 * lower_growth)));
     float constant = (_e90.high ? BESSEL_HIGH_LOG : BESSEL_LOW_LOG);
     float exponent = float((_e90.exponent - 127u));
     float half_log = ((exponent * BESSEL_HALF_LN_TWO) + (constant + (logarithm - growth_1)));
-    float near_2 = ((y_12 >= BESSEL_HEAD_END) ? middle_2 : head_3);
-    return ((y_12 >= BESSEL_BORDER) ? (y_12 - half_log) : near_2);
+    float near_2 = ((y_13 >= BESSEL_HEAD_END) ? middle_3 : head_3);
+    return ((y_13 >= BESSEL_BORDER) ? (y_13 - half_log) : near_2);
 }
 
 // Returns I1(x)/I0(x), to 2 units of the last place.
@@ -1164,12 +1203,12 @@ float log_bessel_izero(float x_11)
 // Any x; odd; x/2 near 0, 1 - 1/(2x) far from it. The derivative of [`log_bessel_izero`].
 float bessel_ratio(float x_12)
 {
-    float y_13 = abs(x_12);
-    float bounded_5 = min(y_13, BESSEL_HEAD_END);
+    float y_14 = abs(x_12);
+    float bounded_5 = min(y_14, BESSEL_HEAD_END);
     float u_12 = (bounded_5 * bounded_5);
     float bend_2 = (BESSEL_RATIO_HEAD_A + (u_12 * (BESSEL_RATIO_HEAD_B + (u_12 * (BESSEL_RATIO_HEAD_C + (u_12 * (BESSEL_RATIO_HEAD_D + (u_12 * BESSEL_RATIO_HEAD_E))))))));
     float head_4 = (bounded_5 * (0.5 + (u_12 * bend_2)));
-    float middle_y_1 = min(y_13, BESSEL_BORDER);
+    float middle_y_1 = min(y_14, BESSEL_BORDER);
     bool second_6 = (middle_y_1 >= BESSEL_RATIO_FIRST_END);
     float centre_4 = (second_6 ? BESSEL_RATIO_SECOND_CENTRE : BESSEL_RATIO_FIRST_CENTRE);
     float value_10 = (second_6 ? BESSEL_RATIO_SECOND_VALUE : BESSEL_RATIO_FIRST_VALUE);
@@ -1183,14 +1222,14 @@ float bessel_ratio(float x_12)
     float ph_1 = (second_6 ? BESSEL_RATIO_SECOND_H : 0.0);
     float d_8 = (middle_y_1 - centre_4);
     float upper_2 = (pd_2 + (d_8 * (pe_2 + (d_8 * (pf_2 + (d_8 * (pg_2 + (d_8 * ph_1))))))));
-    float middle_3 = (value_10 + (d_8 * (pa_2 + (d_8 * (pb_2 + (d_8 * (pc_2 + (d_8 * upper_2))))))));
-    float v_9 = (1.0 / max(y_13, BESSEL_BORDER));
-    float top = (BESSEL_RATIO_TAIL_H + (v_9 * (BESSEL_RATIO_TAIL_I + (v_9 * BESSEL_RATIO_TAIL_J))));
-    float upper_tail = (BESSEL_RATIO_TAIL_E + (v_9 * (BESSEL_RATIO_TAIL_F + (v_9 * (BESSEL_RATIO_TAIL_G + (v_9 * top))))));
-    float lower_tail = (BESSEL_RATIO_TAIL_B + (v_9 * (BESSEL_RATIO_TAIL_C + (v_9 * (BESSEL_RATIO_TAIL_D + (v_9 * upper_tail))))));
-    float tail_4 = (1.0 - (v_9 * (BESSEL_RATIO_TAIL_A + (v_9 * lower_tail))));
-    float near_3 = ((y_13 >= BESSEL_HEAD_END) ? middle_3 : head_4);
-    const float _e114 = odd_continuation(x_12, ((y_13 >= BESSEL_BORDER) ? tail_4 : near_3));
+    float middle_4 = (value_10 + (d_8 * (pa_2 + (d_8 * (pb_2 + (d_8 * (pc_2 + (d_8 * upper_2))))))));
+    float v_10 = (1.0 / max(y_14, BESSEL_BORDER));
+    float top = (BESSEL_RATIO_TAIL_H + (v_10 * (BESSEL_RATIO_TAIL_I + (v_10 * BESSEL_RATIO_TAIL_J))));
+    float upper_tail = (BESSEL_RATIO_TAIL_E + (v_10 * (BESSEL_RATIO_TAIL_F + (v_10 * (BESSEL_RATIO_TAIL_G + (v_10 * top))))));
+    float lower_tail = (BESSEL_RATIO_TAIL_B + (v_10 * (BESSEL_RATIO_TAIL_C + (v_10 * (BESSEL_RATIO_TAIL_D + (v_10 * upper_tail))))));
+    float tail_4 = (1.0 - (v_10 * (BESSEL_RATIO_TAIL_A + (v_10 * lower_tail))));
+    float near_3 = ((y_14 >= BESSEL_HEAD_END) ? middle_4 : head_4);
+    const float _e114 = odd_continuation(x_12, ((y_14 >= BESSEL_BORDER) ? tail_4 : near_3));
     return _e114;
 }
 
@@ -1232,8 +1271,8 @@ float product_turns(float x_14, float y_1)
     float n_7 = round((leading_2 * INVERSE_PI));
     float turns_3 = (((leading_2 - (n_7 * PI_HIGH)) - (n_7 * PI_LOW)) * INVERSE_PI);
     float small = (bounded_6 * INVERSE_PI);
-    float sum = (turns_3 + (small - round(small)));
-    return (sum - round(sum));
+    float sum_5 = (turns_3 + (small - round(small)));
+    return (sum_5 - round(sum_5));
 }
 
 Complex ConstructComplex(float arg0, float arg1) {
@@ -1246,22 +1285,22 @@ Complex ConstructComplex(float arg0, float arg1) {
 // Returns the polynomial of the near or of the far fit at v, in the upper half plane.
 Complex faddeeva_polynomial(Complex v_1, bool near)
 {
-    float s_8 = (v_1.re + v_1.re);
+    float s_10 = (v_1.re + v_1.re);
     float t_2 = ((v_1.re * v_1.re) + (v_1.im * v_1.im));
     float p_o = (near ? FADDEEVA_NEAR_O : FADDEEVA_FAR_O);
-    float p_n = ((near ? FADDEEVA_NEAR_N : FADDEEVA_FAR_N) + (s_8 * p_o));
-    float p_m = (((near ? FADDEEVA_NEAR_M : FADDEEVA_FAR_M) - (t_2 * p_o)) + (s_8 * p_n));
-    float p_l = (((near ? FADDEEVA_NEAR_L : FADDEEVA_FAR_L) - (t_2 * p_n)) + (s_8 * p_m));
-    float p_k = (((near ? FADDEEVA_NEAR_K : FADDEEVA_FAR_K) - (t_2 * p_m)) + (s_8 * p_l));
-    float p_j = (((near ? FADDEEVA_NEAR_J : FADDEEVA_FAR_J) - (t_2 * p_l)) + (s_8 * p_k));
-    float p_i = (((near ? FADDEEVA_NEAR_I : FADDEEVA_FAR_I) - (t_2 * p_k)) + (s_8 * p_j));
-    float p_h = (((near ? FADDEEVA_NEAR_H : FADDEEVA_FAR_H) - (t_2 * p_j)) + (s_8 * p_i));
-    float p_g = (((near ? FADDEEVA_NEAR_G : FADDEEVA_FAR_G) - (t_2 * p_i)) + (s_8 * p_h));
-    float p_f = (((near ? FADDEEVA_NEAR_F : FADDEEVA_FAR_F) - (t_2 * p_h)) + (s_8 * p_g));
-    float p_e = (((near ? FADDEEVA_NEAR_E : FADDEEVA_FAR_E) - (t_2 * p_g)) + (s_8 * p_f));
-    float p_d = (((near ? FADDEEVA_NEAR_D : FADDEEVA_FAR_D) - (t_2 * p_f)) + (s_8 * p_e));
-    float p_c = (((near ? FADDEEVA_NEAR_C : FADDEEVA_FAR_C) - (t_2 * p_e)) + (s_8 * p_d));
-    float p_b = (((near ? FADDEEVA_NEAR_B : FADDEEVA_FAR_B) - (t_2 * p_d)) + (s_8 * p_c));
+    float p_n = ((near ? FADDEEVA_NEAR_N : FADDEEVA_FAR_N) + (s_10 * p_o));
+    float p_m = (((near ? FADDEEVA_NEAR_M : FADDEEVA_FAR_M) - (t_2 * p_o)) + (s_10 * p_n));
+    float p_l = (((near ? FADDEEVA_NEAR_L : FADDEEVA_FAR_L) - (t_2 * p_n)) + (s_10 * p_m));
+    float p_k = (((near ? FADDEEVA_NEAR_K : FADDEEVA_FAR_K) - (t_2 * p_m)) + (s_10 * p_l));
+    float p_j = (((near ? FADDEEVA_NEAR_J : FADDEEVA_FAR_J) - (t_2 * p_l)) + (s_10 * p_k));
+    float p_i = (((near ? FADDEEVA_NEAR_I : FADDEEVA_FAR_I) - (t_2 * p_k)) + (s_10 * p_j));
+    float p_h = (((near ? FADDEEVA_NEAR_H : FADDEEVA_FAR_H) - (t_2 * p_j)) + (s_10 * p_i));
+    float p_g = (((near ? FADDEEVA_NEAR_G : FADDEEVA_FAR_G) - (t_2 * p_i)) + (s_10 * p_h));
+    float p_f = (((near ? FADDEEVA_NEAR_F : FADDEEVA_FAR_F) - (t_2 * p_h)) + (s_10 * p_g));
+    float p_e = (((near ? FADDEEVA_NEAR_E : FADDEEVA_FAR_E) - (t_2 * p_g)) + (s_10 * p_f));
+    float p_d = (((near ? FADDEEVA_NEAR_D : FADDEEVA_FAR_D) - (t_2 * p_f)) + (s_10 * p_e));
+    float p_c = (((near ? FADDEEVA_NEAR_C : FADDEEVA_FAR_C) - (t_2 * p_e)) + (s_10 * p_d));
+    float p_b = (((near ? FADDEEVA_NEAR_B : FADDEEVA_FAR_B) - (t_2 * p_d)) + (s_10 * p_c));
     float re_3 = (((near ? FADDEEVA_NEAR_A : FADDEEVA_FAR_A) - (t_2 * p_c)) + (v_1.re * p_b));
     float im_3 = (v_1.im * p_b);
     const Complex complex = ConstructComplex(re_3, im_3);
@@ -1282,11 +1321,11 @@ Complex faddeeva_quadrant(float x_15, float y_2)
     float pole = (near_4 ? FADDEEVA_NEAR_POLE : FADDEEVA_FAR_POLE);
     float across_1 = (ys + pole);
     float inverse_1 = (1.0 / ((across_1 * across_1) + square_1));
-    float along = (ys - FADDEEVA_CENTRE);
-    Complex v_10 = ConstructComplex((((along * across_1) + square_1) * inverse_1), -(((pole + FADDEEVA_CENTRE) * (xs * inverse_1))));
-    const Complex _e40 = faddeeva_polynomial(v_10, near_4);
-    float near_re = (FADDEEVA_AT_CENTRE + ((along * _e40.re) + (xs * _e40.im)));
-    float near_im = ((along * _e40.im) - (xs * _e40.re));
+    float along_1 = (ys - FADDEEVA_CENTRE);
+    Complex v_11 = ConstructComplex((((along_1 * across_1) + square_1) * inverse_1), -(((pole + FADDEEVA_CENTRE) * (xs * inverse_1))));
+    const Complex _e40 = faddeeva_polynomial(v_11, near_4);
+    float near_re = (FADDEEVA_AT_CENTRE + ((along_1 * _e40.re) + (xs * _e40.im)));
+    float near_im = ((along_1 * _e40.im) - (xs * _e40.re));
     float inverse_square = (inverse_1 * inverse_1);
     float q_square = (((across_1 - xs) * (across_1 + xs)) * inverse_square);
     float q_twice = (((across_1 + across_1) * xs) * inverse_square);
@@ -1377,17 +1416,17 @@ Complex faddeeva_w(float re_1, float im_1)
 // Returns the polynomial of the coarse tier at v.
 Complex faddeeva_polynomial_coarse(Complex v_2)
 {
-    float s_9 = (v_2.re + v_2.re);
+    float s_11 = (v_2.re + v_2.re);
     float t_3 = ((v_2.re * v_2.re) + (v_2.im * v_2.im));
-    float p_j_1 = (FADDEEVA_COARSE_J + (s_9 * FADDEEVA_COARSE_K));
-    float p_i_1 = ((FADDEEVA_COARSE_I - (t_3 * FADDEEVA_COARSE_K)) + (s_9 * p_j_1));
-    float p_h_1 = ((FADDEEVA_COARSE_H - (t_3 * p_j_1)) + (s_9 * p_i_1));
-    float p_g_1 = ((FADDEEVA_COARSE_G - (t_3 * p_i_1)) + (s_9 * p_h_1));
-    float p_f_1 = ((FADDEEVA_COARSE_F - (t_3 * p_h_1)) + (s_9 * p_g_1));
-    float p_e_1 = ((FADDEEVA_COARSE_E - (t_3 * p_g_1)) + (s_9 * p_f_1));
-    float p_d_1 = ((FADDEEVA_COARSE_D - (t_3 * p_f_1)) + (s_9 * p_e_1));
-    float p_c_1 = ((FADDEEVA_COARSE_C - (t_3 * p_e_1)) + (s_9 * p_d_1));
-    float p_b_1 = ((FADDEEVA_COARSE_B - (t_3 * p_d_1)) + (s_9 * p_c_1));
+    float p_j_1 = (FADDEEVA_COARSE_J + (s_11 * FADDEEVA_COARSE_K));
+    float p_i_1 = ((FADDEEVA_COARSE_I - (t_3 * FADDEEVA_COARSE_K)) + (s_11 * p_j_1));
+    float p_h_1 = ((FADDEEVA_COARSE_H - (t_3 * p_j_1)) + (s_11 * p_i_1));
+    float p_g_1 = ((FADDEEVA_COARSE_G - (t_3 * p_i_1)) + (s_11 * p_h_1));
+    float p_f_1 = ((FADDEEVA_COARSE_F - (t_3 * p_h_1)) + (s_11 * p_g_1));
+    float p_e_1 = ((FADDEEVA_COARSE_E - (t_3 * p_g_1)) + (s_11 * p_f_1));
+    float p_d_1 = ((FADDEEVA_COARSE_D - (t_3 * p_f_1)) + (s_11 * p_e_1));
+    float p_c_1 = ((FADDEEVA_COARSE_C - (t_3 * p_e_1)) + (s_11 * p_d_1));
+    float p_b_1 = ((FADDEEVA_COARSE_B - (t_3 * p_d_1)) + (s_11 * p_c_1));
     float re_5 = ((FADDEEVA_COARSE_A - (t_3 * p_c_1)) + (v_2.re * p_b_1));
     float im_5 = (v_2.im * p_b_1);
     const Complex complex_5 = ConstructComplex(re_5, im_5);
@@ -1406,8 +1445,8 @@ Complex faddeeva_quadrant_coarse(float x_17, float y_4)
     float q_re = (across_2 * inverse_2);
     float q_im = (xs_1 * inverse_2);
     float double_pole = (huge_1 ? 0.0 : 5.0);
-    Complex v_11 = ConstructComplex(((double_pole * q_re) - 1.0), (double_pole * q_im));
-    const Complex _e33 = faddeeva_polynomial_coarse(v_11);
+    Complex v_12 = ConstructComplex(((double_pole * q_re) - 1.0), (double_pole * q_im));
+    const Complex _e33 = faddeeva_polynomial_coarse(v_12);
     float unscale_1 = ((largest_2 > INFINITE_LIMIT) ? 0.0 : scale_3);
     const Complex complex_6 = ConstructComplex((((q_re * _e33.re) - (q_im * _e33.im)) * unscale_1), (((q_re * _e33.im) + (q_im * _e33.re)) * unscale_1));
     return complex_6;
@@ -1461,10 +1500,10 @@ Complex erf_short_series(float middle_1, float b_1, float halved_1)
 {
     float d_9 = (halved_1 * halved_1);
     float across_3 = (halved_1 * middle_1);
-    float along_1 = (halved_1 * b_1);
-    float q_re_1 = ((across_3 - along_1) * (across_3 + along_1));
-    float q_im_1 = ((across_3 + across_3) * along_1);
-    float k_3 = (1.0 + (d_9 * (-0.33333334 + (d_9 * (0.1 + (d_9 * (-0.023809524 + (d_9 * (0.0046296297 - (d_9 * 0.00075757573))))))))));
+    float along_2 = (halved_1 * b_1);
+    float q_re_1 = ((across_3 - along_2) * (across_3 + along_2));
+    float q_im_1 = ((across_3 + across_3) * along_2);
+    float k_4 = (1.0 + (d_9 * (-0.33333334 + (d_9 * (0.1 + (d_9 * (-0.023809524 + (d_9 * (0.0046296297 - (d_9 * 0.00075757573))))))))));
     float l = (0.6666667 + (d_9 * (-0.4 + (d_9 * (0.14285715 + (d_9 * (-0.037037037 + (d_9 * 0.007575758))))))));
     float m_9 = (0.13333334 + (d_9 * (-0.0952381 + (d_9 * 0.037037037))));
     float n_8 = (0.012698413 - (d_9 * 0.009876543));
@@ -1472,7 +1511,7 @@ Complex erf_short_series(float middle_1, float b_1, float halved_1)
     float first_im = (q_im_1 * n_8);
     float second_re = (l + ((q_re_1 * first_re) - (q_im_1 * first_im)));
     float second_im = ((q_re_1 * first_im) + (q_im_1 * first_re));
-    const Complex complex_9 = ConstructComplex((k_3 + ((q_re_1 * second_re) - (q_im_1 * second_im))), ((q_re_1 * second_im) + (q_im_1 * second_re)));
+    const Complex complex_9 = ConstructComplex((k_4 + ((q_re_1 * second_re) - (q_im_1 * second_im))), ((q_re_1 * second_im) + (q_im_1 * second_re)));
     return complex_9;
 }
 
@@ -1496,11 +1535,11 @@ Complex erf_difference_scaled_turns(float a_from, float a_to, float b_2, float t
     bool nearer_to = (abs(a_to) < abs(a_from));
     float base_2 = (nearer_to ? a_to : a_from);
     float stride = (nearer_to ? -(halved_8) : halved_8);
-    float middle_4 = (base_2 + stride);
-    float across_4 = (halved_8 * middle_4);
-    float along_2 = (halved_8 * b_2);
+    float middle_5 = (base_2 + stride);
+    float across_4 = (halved_8 * middle_5);
+    float along_3 = (halved_8 * b_2);
     if ((abs(halved_8) <= ERF_SHORT)) {
-        local_5 = (((across_4 * across_4) + (along_2 * along_2)) <= ERF_SHORT_SQUARE);
+        local_5 = (((across_4 * across_4) + (along_3 * along_3)) <= ERF_SHORT_SQUARE);
     } else {
         local_5 = false;
     }
@@ -1511,7 +1550,7 @@ Complex erf_difference_scaled_turns(float a_from, float a_to, float b_2, float t
     float rest_7 = (stride * ((base_2 + base_2) + stride));
     const float _e47 = erf_gaussian(min(abs(base_2), ERF_END_LARGEST), rest_7);
     float scale_4 = ((TWO_INVERSE_ROOT_PI * extent_6) * _e47);
-    const Complex _e49 = erf_short_series(middle_4, b_2, halved_8);
+    const Complex _e49 = erf_short_series(middle_5, b_2, halved_8);
     float short_re = (scale_4 * ((_e49.re * _e38.cosine) + (_e49.im * _e38.sine)));
     float short_im = (scale_4 * ((_e49.im * _e38.cosine) - (_e49.re * _e38.sine)));
     const Complex _e66 = erf_end(a_from, b_2, turns_from);
@@ -1642,12 +1681,12 @@ TriangleFlanks triangle_flanks(float width_4, float depth_4, float xi_b_2, float
     float twice_5 = (wavelength_5 + wavelength_5);
     const Turns _e6 = ratio_turns(depth_4, gamma_sum_4, twice_5);
     const Turns _e8 = ratio_turns(width_4, xi_b_2, (twice_5 + twice_5));
-    Turns sum_1 = ConstructTurns((_e6.whole + _e8.whole), (_e6.rest + _e8.rest));
+    Turns sum_6 = ConstructTurns((_e6.whole + _e8.whole), (_e6.rest + _e8.rest));
     Turns difference = ConstructTurns((_e6.whole - _e8.whole), (_e6.rest - _e8.rest));
-    const SineCosine _e24 = sine_cosine_turns(sum_1.rest);
+    const SineCosine _e24 = sine_cosine_turns(sum_6.rest);
     const SineCosine _e26 = sine_cosine_turns(difference.rest);
     float halved_9 = (0.5 * width_4);
-    const float _e30 = sinc_turns(sum_1, _e24.sine);
+    const float _e30 = sinc_turns(sum_6, _e24.sine);
     const float _e33 = sinc_turns(difference, _e26.sine);
     const TriangleFlanks triangleflanks = ConstructTriangleFlanks((halved_9 * _e30), (halved_9 * _e33), _e24, _e26, (_e6.whole + _e6.rest), (_e8.whole + _e8.rest));
     return triangleflanks;
@@ -1858,8 +1897,8 @@ float scratch_squared(float radius_11, float wavelength_15, float width_9, float
     const float _e9 = depth_term_squared(depth_7, gamma_sum_7, wavelength_15);
     const float _e10 = window_cosine(radius_11, wavelength_15, xi_t_4);
     const float _e16 = exponential(-((_e10 * _e10)));
-    float along_3 = (((TWO_PI * radius_11) * radius_11) * _e16);
-    return (((_e8 * _e8) * _e9) * (along_3 * mean));
+    float along_4 = (((TWO_PI * radius_11) * radius_11) * _e16);
+    return (((_e8 * _e8) * _e9) * (along_4 * mean));
 }
 
 // Returns -2 Re(B S), the interference of base and scratches: |B - S|^2 less |B|^2 + |S|^2 (VWH18
@@ -1890,9 +1929,9 @@ Complex complex_product(Complex a_4, Complex b_6)
 Complex crossing_response(float radius_12, float wavelength_16, float first_width, float first_depth, float second_width, float second_depth, float first_x, float first_y, float second_x, float second_y, float crossing_x, float crossing_y, float xi_x, float xi_y, float gamma_sum_8)
 {
     float sine_3 = ((first_x * second_y) - (first_y * second_x));
-    float p_4 = (((xi_x * second_x) + (xi_y * second_y)) / sine_3);
+    float p_5 = (((xi_x * second_x) + (xi_y * second_y)) / sine_3);
     float q_12 = (-(((xi_x * first_x) + (xi_y * first_y))) / sine_3);
-    const float _e27 = width_term(first_width, p_4, wavelength_16);
+    const float _e27 = width_term(first_width, p_5, wavelength_16);
     const float _e28 = width_term(second_width, q_12, wavelength_16);
     float overlap = (_e27 * (_e28 / abs(sine_3)));
     const float _e32 = in_radii(crossing_x, radius_12);
@@ -1922,24 +1961,24 @@ FootprintWindow ConstructFootprintWindow(float arg0, float arg1, float arg2, flo
 // Returns the part of the ellipse within reach of the line.
 FootprintWindow footprint_window(float half_width, float edge)
 {
-    float width_18 = min(max(half_width, FOOTPRINT_LEAST_LIMIT), FOOTPRINT_MOST_LIMIT);
-    float near_edge = (edge + (width_18 - half_width));
-    float far_edge = ((width_18 - near_edge) + width_18);
-    float inverse_3 = (1.0 / width_18);
-    float start_3 = max(-(near_edge), -3.95);
+    float width_24 = min(max(half_width, FOOTPRINT_LEAST_LIMIT), FOOTPRINT_MOST_LIMIT);
+    float near_edge = (edge + (width_24 - half_width));
+    float far_edge = ((width_24 - near_edge) + width_24);
+    float inverse_3 = (1.0 / width_24);
+    float start_7 = max(-(near_edge), -3.95);
     bool whole_2 = (max(near_edge, far_edge) <= FOOTPRINT_REACH);
-    float seen = max((min(far_edge, FOOTPRINT_REACH) - start_3), 0.0);
-    float span = (whole_2 ? (width_18 + width_18) : seen);
-    const FootprintWindow footprintwindow = ConstructFootprintWindow((max((near_edge - FOOTPRINT_REACH), 0.0) * inverse_3), (max((far_edge - FOOTPRINT_REACH), 0.0) * inverse_3), (FOOTPRINT_BINARY * start_3), (FOOTPRINT_BINARY * span), (span * inverse_3));
+    float seen = max((min(far_edge, FOOTPRINT_REACH) - start_7), 0.0);
+    float span = (whole_2 ? (width_24 + width_24) : seen);
+    const FootprintWindow footprintwindow = ConstructFootprintWindow((max((near_edge - FOOTPRINT_REACH), 0.0) * inverse_3), (max((far_edge - FOOTPRINT_REACH), 0.0) * inverse_3), (FOOTPRINT_BINARY * start_7), (FOOTPRINT_BINARY * span), (span * inverse_3));
     return footprintwindow;
 }
 
 // Returns 2^(-x^2), to f32 grade of 1, for |x| up to 11.
 float halving_square(float x_18)
 {
-    float y_14 = (x_18 * x_18);
-    float n_9 = round(y_14);
-    float r_7 = (n_9 - y_14);
+    float y_15 = (x_18 * x_18);
+    float n_9 = round(y_15);
+    float r_7 = (n_9 - y_15);
     float series = (HALVING_A + (r_7 * (HALVING_B + (r_7 * (HALVING_C + (r_7 * (HALVING_D + (r_7 * HALVING_E))))))));
     return ((1.0 + (r_7 * series)) * asfloat((asuint((EXPONENT_BIAS - n_9)) << 23u)));
 }
@@ -1953,10 +1992,10 @@ float footprint_pair(FootprintWindow window, float part, float sine_1)
     float lesser = (window.share * part);
     float greater = (window.share * rest_8);
     const float _e23 = halving_square(low_1);
-    float first_11 = (sqrt(((window.near + lesser) * (window.far + greater))) * _e23);
+    float first_12 = (sqrt(((window.near + lesser) * (window.far + greater))) * _e23);
     const float _e31 = halving_square(high_1);
     float second_7 = (sqrt(((window.near + greater) * (window.far + lesser))) * _e31);
-    return (sine_1 * (first_11 + second_7));
+    return (sine_1 * (first_12 + second_7));
 }
 
 // Returns the half width of an ellipse across the tangent; half axes, cosine of the angle from the
@@ -1966,8 +2005,8 @@ float footprint_pair(FootprintWindow window, float part, float sine_1)
 float footprint_half_width(float a_first, float a_second, float cos_phi)
 {
     float sine_squared = max(((1.0 - cos_phi) * (1.0 + cos_phi)), 0.0);
-    float along_4 = (a_second * cos_phi);
-    return sqrt((((a_first * a_first) * sine_squared) + (along_4 * along_4)));
+    float along_5 = (a_second * cos_phi);
+    return sqrt((((a_first * a_first) * sine_squared) + (along_5 * along_5)));
 }
 
 // Returns the mean over an ellipse of exp(-s_b^2/sigma^2) for an infinite scratch, to f32 grade of
@@ -2013,8 +2052,8 @@ float footprint_mean_reduced_coarse(float half_width_2, float edge_2)
     float narrow = min(half_width_2, FOOTPRINT_WIDE_LIMIT);
     float offset_6 = (narrow - d_10);
     float spread = (2.0 / (2.0 + (narrow * narrow)));
-    float v_12 = (0.5 * ((narrow * narrow) * spread));
-    float u_13 = (v_12 * v_12);
+    float v_13 = (0.5 * ((narrow * narrow) * spread));
+    float u_13 = (v_13 * v_13);
     float w_5 = (2.0 * ((offset_6 * offset_6) * spread));
     const float _e31 = footprint_quintic(w_5, FOOTPRINT_NARROW_A, FOOTPRINT_NARROW_B, FOOTPRINT_NARROW_C, FOOTPRINT_NARROW_D, FOOTPRINT_NARROW_E, FOOTPRINT_NARROW_F);
     const float _e38 = footprint_quintic(w_5, FOOTPRINT_NARROW_G, FOOTPRINT_NARROW_H, FOOTPRINT_NARROW_I, FOOTPRINT_NARROW_J, FOOTPRINT_NARROW_K, FOOTPRINT_NARROW_L);
@@ -2032,9 +2071,9 @@ float footprint_mean_reduced_coarse(float half_width_2, float edge_2)
     float exponent_1 = (is_narrow ? excess : (is_interior ? 0.0 : edged));
     float under_root = (is_narrow ? spread : (is_interior ? (near_5 * far_1) : (far_1 * inverse_4)));
     float bend_3 = (1.0 / (d_10 * far_1));
-    float z_1 = (bend_3 * bend_3);
-    float middle_5 = (inverse_4 * (1.1283792 - (z_1 * (0.2820948 + (0.1410474 * z_1)))));
-    float height_3 = (is_narrow ? 1.0 : (is_interior ? middle_5 : inverse_4));
+    float z_2 = (bend_3 * bend_3);
+    float middle_6 = (inverse_4 * (1.1283792 - (z_2 * (0.2820948 + (0.1410474 * z_2)))));
+    float height_3 = (is_narrow ? 1.0 : (is_interior ? middle_6 : inverse_4));
     const float _e117 = exponential(-(exponent_1));
     float value_11 = ((sqrt(under_root) * height_3) * _e117);
     return ((edge_2 < FOOTPRINT_OUTSIDE_LIMIT) ? 0.0 : value_11);
@@ -2114,21 +2153,21 @@ float angle_from_axis(float x_20, float y_5)
 float gaussian_inverse(float u_1)
 {
     float share = max(u_1, SHARE_SMALLEST_LIMIT);
-    float x_22 = ((share + share) - 1.0);
+    float x_23 = ((share + share) - 1.0);
     float tail_5 = min(share, (1.0 - share));
-    const float _e10 = log_one_minus((x_22 * x_22));
-    float middle_6 = -(_e10);
+    const float _e10 = log_one_minus((x_23 * x_23));
+    float middle_7 = -(_e10);
     const float _e12 = natural_log(tail_5);
     const float _e14 = log_one_minus(tail_5);
     float outer_4 = -((_e12 + (1.3862944 + _e14)));
-    float v_13 = ((abs(x_22) > 0.5) ? outer_4 : middle_6);
-    float c_7 = (v_13 - 2.5);
-    float upper_centre = (0.00021858087 + (c_7 * (-4.3915065e-6 + (c_7 * (-3.5233877e-6 + (c_7 * (3.4327394e-7 + (c_7 * 2.8102264e-8))))))));
-    float centre_5 = (1.5014094 + (c_7 * (0.24664073 + (c_7 * (-0.0041776816 + (c_7 * (-0.001253725 + (c_7 * upper_centre))))))));
-    float d_11 = (sqrt(max(v_13, 0.0)) - 3.0);
+    float v_14 = ((abs(x_23) > 0.5) ? outer_4 : middle_7);
+    float c_9 = (v_14 - 2.5);
+    float upper_centre = (0.00021858087 + (c_9 * (-4.3915065e-6 + (c_9 * (-3.5233877e-6 + (c_9 * (3.4327394e-7 + (c_9 * 2.8102264e-8))))))));
+    float centre_5 = (1.5014094 + (c_9 * (0.24664073 + (c_9 * (-0.0041776816 + (c_9 * (-0.001253725 + (c_9 * upper_centre))))))));
+    float d_11 = (sqrt(max(v_14, 0.0)) - 3.0);
     float upper_far = (-0.0036734284 + (d_11 * (0.0013493432 + (d_11 * (0.00010095056 + (d_11 * -0.00020021426))))));
     float far_2 = (2.8329768 + (d_11 * (1.001674 + (d_11 * (0.00943887 + (d_11 * (-0.007622461 + (d_11 * (0.0057395077 + (d_11 * upper_far))))))))));
-    return (x_22 * ((v_13 >= 5.0) ? far_2 : centre_5));
+    return (x_23 * ((v_14 >= 5.0) ? far_2 : centre_5));
 }
 
 // Returns k sigma.
@@ -2146,9 +2185,9 @@ float lobe_reduced_radius(float radius_15, float wavelength_17)
 float base_lobe_pdf(float radius_16, float wavelength_18, float incident_t, float incident_b, float outgoing_t, float outgoing_b, float outgoing_n)
 {
     const float _e7 = lobe_reduced_radius(radius_16, wavelength_18);
-    float x_23 = (_e7 * (incident_t + outgoing_t));
-    float y_15 = (_e7 * (incident_b + outgoing_b));
-    const float _e16 = exponential(-(((x_23 * x_23) + (y_15 * y_15))));
+    float x_24 = (_e7 * (incident_t + outgoing_t));
+    float y_16 = (_e7 * (incident_b + outgoing_b));
+    const float _e16 = exponential(-(((x_24 * x_24) + (y_16 * y_16))));
     float height_4 = (_e16 * INVERSE_PI);
     return ((outgoing_n <= 0.0) ? 0.0 : (_e7 * (_e7 * (height_4 * outgoing_n))));
 }
@@ -2170,11 +2209,11 @@ SampledDirection base_lobe_sample(float radius_17, float wavelength_19, float in
     const float _e7 = log_one_minus(first_7);
     float size_4 = (sqrt(-(_e7)) / _e6);
     const SineCosine _e11 = sine_cosine_turns(second);
-    float x_24 = ((size_4 * _e11.cosine) - incident_t_1);
-    float y_16 = ((size_4 * _e11.sine) - incident_b_1);
-    float z_2 = sqrt(max((((1.0 - x_24) * (1.0 + x_24)) - (y_16 * y_16)), 0.0));
-    const float _e28 = base_lobe_pdf(radius_17, wavelength_19, incident_t_1, incident_b_1, x_24, y_16, z_2);
-    const SampledDirection sampleddirection = ConstructSampledDirection(x_24, y_16, z_2, _e28);
+    float x_25 = ((size_4 * _e11.cosine) - incident_t_1);
+    float y_17 = ((size_4 * _e11.sine) - incident_b_1);
+    float z_3 = sqrt(max((((1.0 - x_25) * (1.0 + x_25)) - (y_17 * y_17)), 0.0));
+    const float _e28 = base_lobe_pdf(radius_17, wavelength_19, incident_t_1, incident_b_1, x_25, y_17, z_3);
+    const SampledDirection sampleddirection = ConstructSampledDirection(x_25, y_17, z_3, _e28);
     return sampleddirection;
 }
 
@@ -2202,14 +2241,14 @@ float lobe_reach(float b_9, float n)
 float scratch_lobe_pdf(float radius_18, float wavelength_20, float width_10, float incident_t_2, float incident_b_2, float outgoing_t_1, float outgoing_b_1, float outgoing_n_1)
 {
     const float _e8 = lobe_reduced_radius(radius_18, wavelength_20);
-    float c_8 = (ARC_PI * (width_10 / wavelength_20));
-    float along_5 = (_e8 * (incident_t_2 + outgoing_t_1));
-    float x_25 = (c_8 * (incident_b_2 + outgoing_b_1));
+    float c_10 = (ARC_PI * (width_10 / wavelength_20));
+    float along_6 = (_e8 * (incident_t_2 + outgoing_t_1));
+    float x_26 = (c_10 * (incident_b_2 + outgoing_b_1));
     const float _e16 = lobe_reach(outgoing_b_1, outgoing_n_1);
-    const float _e17 = lobe_lorentz_angle(c_8, incident_b_2, _e16);
-    float curved = (c_8 / (_e17 * (1.0 + (x_25 * x_25))));
-    float across_6 = ((c_8 < LOBE_NARROW_LIMIT) ? (0.5 / _e16) : curved);
-    const float _e30 = exponential(-((along_5 * along_5)));
+    const float _e17 = lobe_lorentz_angle(c_10, incident_b_2, _e16);
+    float curved = (c_10 / (_e17 * (1.0 + (x_26 * x_26))));
+    float across_6 = ((c_10 < LOBE_NARROW_LIMIT) ? (0.5 / _e16) : curved);
+    const float _e30 = exponential(-((along_6 * along_6)));
     float gaussian = (_e8 * (_e30 * INVERSE_ROOT_PI));
     return ((outgoing_n_1 <= 0.0) ? 0.0 : (gaussian * (across_6 * outgoing_n_1)));
 }
@@ -2219,34 +2258,34 @@ float scratch_lobe_pdf(float radius_18, float wavelength_20, float width_10, flo
 SampledDirection scratch_lobe_sample(float radius_19, float wavelength_21, float width_11, float incident_t_3, float incident_b_3, float first_8, float second_1)
 {
     const float _e7 = lobe_reduced_radius(radius_19, wavelength_21);
-    float c_9 = (ARC_PI * (width_11 / wavelength_21));
+    float c_11 = (ARC_PI * (width_11 / wavelength_21));
     const float _e11 = gaussian_inverse(first_8);
-    float x_26 = ((_e11 / _e7) - incident_t_3);
-    float g_1 = sqrt(max(((1.0 - x_26) * (1.0 + x_26)), 0.0));
+    float x_27 = ((_e11 / _e7) - incident_t_3);
+    float g_1 = sqrt(max(((1.0 - x_27) * (1.0 + x_27)), 0.0));
     float b_12 = abs(incident_b_3);
     bool mirrored = (incident_b_3 < 0.0);
     float u_16 = (mirrored ? second_1 : (1.0 - second_1));
-    float far_3 = (c_9 * (b_12 + g_1));
-    const float _e30 = lobe_lorentz_angle(c_9, b_12, g_1);
+    float far_3 = (c_11 * (b_12 + g_1));
+    const float _e30 = lobe_lorentz_angle(c_11, b_12, g_1);
     const SineCosine _e32 = sine_cosine((u_16 * _e30));
-    float curved_1 = ((_e32.sine * (1.0 + (far_3 * far_3))) / (c_9 * (_e32.cosine + (far_3 * _e32.sine))));
-    float from_end = ((c_9 < LOBE_NARROW_LIMIT) ? (u_16 * (g_1 + g_1)) : curved_1);
+    float curved_1 = ((_e32.sine * (1.0 + (far_3 * far_3))) / (c_11 * (_e32.cosine + (far_3 * _e32.sine))));
+    float from_end = ((c_11 < LOBE_NARROW_LIMIT) ? (u_16 * (g_1 + g_1)) : curved_1);
     float beta = (g_1 - from_end);
-    float y_17 = (mirrored ? -(beta) : beta);
-    float z_3 = sqrt(max((from_end * ((g_1 + g_1) - from_end)), 0.0));
-    const float _e58 = scratch_lobe_pdf(radius_19, wavelength_21, width_11, incident_t_3, incident_b_3, x_26, y_17, z_3);
-    const SampledDirection sampleddirection_1 = ConstructSampledDirection(x_26, y_17, z_3, _e58);
+    float y_18 = (mirrored ? -(beta) : beta);
+    float z_4 = sqrt(max((from_end * ((g_1 + g_1) - from_end)), 0.0));
+    const float _e58 = scratch_lobe_pdf(radius_19, wavelength_21, width_11, incident_t_3, incident_b_3, x_27, y_18, z_4);
+    const SampledDirection sampleddirection_1 = ConstructSampledDirection(x_27, y_18, z_4, _e58);
     return sampleddirection_1;
 }
 
 // Returns 1 - e^(-2 kappa), relatively accurate, for kappa >= 0.
 float cone_mass(float concentration)
 {
-    float z_4 = (concentration + concentration);
-    float upper_5 = (0.008333334 - (z_4 * (0.0013888889 - (z_4 * (0.0001984127 - (z_4 * 2.4801588e-5))))));
-    float series_3 = (z_4 * (0.5 - (z_4 * (0.16666667 - (z_4 * (0.041666668 - (z_4 * upper_5)))))));
-    const float _e24 = exponential(-(z_4));
-    return ((z_4 < 0.5) ? (z_4 - (z_4 * series_3)) : (1.0 - _e24));
+    float z_5 = (concentration + concentration);
+    float upper_5 = (0.008333334 - (z_5 * (0.0013888889 - (z_5 * (0.0001984127 - (z_5 * 2.4801588e-5))))));
+    float series_3 = (z_5 * (0.5 - (z_5 * (0.16666667 - (z_5 * (0.041666668 - (z_5 * upper_5)))))));
+    const float _e24 = exponential(-(z_5));
+    return ((z_5 < 0.5) ? (z_5 - (z_5 * series_3)) : (1.0 - _e24));
 }
 
 // Returns the density of the published cone of a scratch, in 1/sr (WVJH17 section 5), for a
@@ -2257,9 +2296,9 @@ float scratch_cone_pdf(float concentration_1, float incident_t_4, float incident
 {
     float across_in = sqrt(((incident_b_4 * incident_b_4) + (incident_n * incident_n)));
     float across_out = sqrt(((outgoing_b_2 * outgoing_b_2) + (outgoing_n_2 * outgoing_n_2)));
-    float sum_2 = (incident_t_4 + outgoing_t_2);
+    float sum_7 = (incident_t_4 + outgoing_t_2);
     float difference_1 = (across_in - across_out);
-    float decay_1 = ((0.5 * concentration_1) * ((sum_2 * sum_2) + (difference_1 * difference_1)));
+    float decay_1 = ((0.5 * concentration_1) * ((sum_7 * sum_7) + (difference_1 * difference_1)));
     const float _e23 = cone_mass(concentration_1);
     float peak = ((concentration_1 < LOBE_UNIFORM_LIMIT) ? 0.5 : (concentration_1 / _e23));
     const float _e31 = bessel_i0_scaled((concentration_1 * (across_in * across_out)));
@@ -2278,17 +2317,17 @@ SampledDirection scratch_cone_sample(float concentration_2, float incident_t_5, 
     float cosine = (1.0 - versine);
     float sine_4 = sqrt((versine * (2.0 - versine)));
     const SineCosine _e24 = sine_cosine_turns(second_2);
-    float s_10 = sqrt(((incident_b_5 * incident_b_5) + (incident_n_1 * incident_n_1)));
+    float s_12 = sqrt(((incident_b_5 * incident_b_5) + (incident_n_1 * incident_n_1)));
     float turned = (sine_4 * _e24.cosine);
-    float x_27 = (-((incident_t_5 * cosine)) - (s_10 * turned));
-    float across_7 = ((s_10 * cosine) - (incident_t_5 * turned));
+    float x_28 = (-((incident_t_5 * cosine)) - (s_12 * turned));
+    float across_7 = ((s_12 * cosine) - (incident_t_5 * turned));
     float beside = (sine_4 * _e24.sine);
     float reach = sqrt(((across_7 * across_7) + (beside * beside)));
     const SineCosine _e46 = sine_cosine_turns((0.5 * third));
-    float y_18 = (reach * _e46.cosine);
-    float z_5 = (reach * _e46.sine);
-    const float _e51 = scratch_cone_pdf(concentration_2, incident_t_5, incident_b_5, incident_n_1, x_27, y_18, z_5);
-    const SampledDirection sampleddirection_2 = ConstructSampledDirection(x_27, y_18, z_5, _e51);
+    float y_19 = (reach * _e46.cosine);
+    float z_6 = (reach * _e46.sine);
+    const float _e51 = scratch_cone_pdf(concentration_2, incident_t_5, incident_b_5, incident_n_1, x_28, y_19, z_6);
+    const SampledDirection sampleddirection_2 = ConstructSampledDirection(x_28, y_19, z_6, _e51);
     return sampleddirection_2;
 }
 
@@ -2351,11 +2390,11 @@ float sphere_light_chord(float radius_21, float wavelength_24, float width_14, f
     float tangent = sqrt(max((square_3 - (sphere_radius * sphere_radius)), 0.0));
     float per_square = (1.0 / square_3);
     float per_tilt = (1.0 / tilt);
-    float p_5 = (_e9.x - ((tangent * per_square) * x_21));
+    float p_6 = (_e9.x - ((tangent * per_square) * x_21));
     float reach_1 = ((sphere_radius * per_square) * sqrt(tilt));
-    float discriminant = ((reach_1 - p_5) * (reach_1 + p_5));
+    float discriminant = ((reach_1 - p_6) * (reach_1 + p_6));
     float root_1 = (sqrt((max(discriminant, 0.0) * square_3)) * per_tilt);
-    float level = ((tangent * per_square) - ((p_5 * per_tilt) * x_21));
+    float level = ((tangent * per_square) - ((p_6 * per_tilt) * x_21));
     float centre_b = (y_6 * level);
     float reach_b = (z * root_1);
     float left_z = ((z * level) + (y_6 * root_1));
@@ -2470,12 +2509,12 @@ LightChords light_arc(LightChords chords_1, LightLine cut_2, LightPoint start, L
     bool local_18 = (bool)0;
 
     next_1 = chords_1;
-    float dx_2 = (stop.x - start.x);
-    float dy_2 = (stop.y - start.y);
-    float dz_2 = (stop.z - start.z);
-    float nx = ((start.y * dz_2) - (start.z * dy_2));
-    float ny = ((start.z * dx_2) - (start.x * dz_2));
-    float nz = ((start.x * dy_2) - (start.y * dx_2));
+    float dx_4 = (stop.x - start.x);
+    float dy_4 = (stop.y - start.y);
+    float dz_4 = (stop.z - start.z);
+    float nx = ((start.y * dz_4) - (start.z * dy_4));
+    float ny = ((start.z * dx_4) - (start.x * dz_4));
+    float nz = ((start.x * dy_4) - (start.y * dx_4));
     float tilt_1 = ((ny * ny) + (nz * nz));
     float offset_7 = (cut_2.x * nx);
     float discriminant_1 = ((tilt_1 * cut_2.rest) - (offset_7 * offset_7));
@@ -2661,14 +2700,14 @@ float triangle_light_chord(float radius_22, float wavelength_25, float width_15,
     const LightLine _e14 = light_line(wavelength_25, width_15, view_t_2, view_b_2);
     LightPoint a_9 = ConstructLightPoint(ax, ay, az);
     LightPoint b_15 = ConstructLightPoint(bx, by, bz);
-    LightPoint c_10 = ConstructLightPoint(cx, cy, cz);
+    LightPoint c_12 = ConstructLightPoint(cx, cy, cz);
     const float _e18 = light_side(_e14, a_9);
     const float _e19 = light_side(_e14, b_15);
-    const float _e20 = light_side(_e14, c_10);
+    const float _e20 = light_side(_e14, c_12);
     const LightChords _e21 = light_chords();
     const LightChords _e22 = light_edge(_e21, _e14, a_9, b_15, _e18, _e19);
-    const LightChords _e23 = light_edge(_e22, _e14, b_15, c_10, _e19, _e20);
-    const LightChords _e24 = light_edge(_e23, _e14, c_10, a_9, _e20, _e18);
+    const LightChords _e23 = light_edge(_e22, _e14, b_15, c_12, _e19, _e20);
+    const LightChords _e24 = light_edge(_e23, _e14, c_12, a_9, _e20, _e18);
     const float _e25 = light_scale(radius_22, wavelength_25, width_15);
     const float _e26 = light_closed(_e24, _e14);
     return (_e25 * _e26);
@@ -2685,16 +2724,16 @@ float quad_light_chord(float radius_23, float wavelength_26, float width_16, flo
     const LightLine _e17 = light_line(wavelength_26, width_16, view_t_3, view_b_3);
     LightPoint a_10 = ConstructLightPoint(ax_1, ay_1, az_1);
     LightPoint b_16 = ConstructLightPoint(bx_1, by_1, bz_1);
-    LightPoint c_11 = ConstructLightPoint(cx_1, cy_1, cz_1);
+    LightPoint c_13 = ConstructLightPoint(cx_1, cy_1, cz_1);
     LightPoint d_12 = ConstructLightPoint(dx, dy, dz);
     const float _e22 = light_side(_e17, a_10);
     const float _e23 = light_side(_e17, b_16);
-    const float _e24 = light_side(_e17, c_11);
+    const float _e24 = light_side(_e17, c_13);
     const float _e25 = light_side(_e17, d_12);
     const LightChords _e26 = light_chords();
     const LightChords _e27 = light_edge(_e26, _e17, a_10, b_16, _e22, _e23);
-    const LightChords _e28 = light_edge(_e27, _e17, b_16, c_11, _e23, _e24);
-    const LightChords _e29 = light_edge(_e28, _e17, c_11, d_12, _e24, _e25);
+    const LightChords _e28 = light_edge(_e27, _e17, b_16, c_13, _e23, _e24);
+    const LightChords _e29 = light_edge(_e28, _e17, c_13, d_12, _e24, _e25);
     const LightChords _e30 = light_edge(_e29, _e17, d_12, a_10, _e25, _e22);
     const float _e31 = light_scale(radius_23, wavelength_26, width_16);
     const float _e32 = light_closed(_e30, _e17);
@@ -2743,22 +2782,22 @@ float polygon_light_chord(float radius_24, float wavelength_27, float width_17, 
                 uint _e57 = i;
                 uint _e61 = i;
                 uint _e65 = i;
-                float x_28 = ((_e65 > 4u) ? ((_e61 > 5u) ? ((_e57 == 7u) ? hx : gx) : fx) : ((_e53 > 2u) ? ((_e49 == 4u) ? ex : dx_1) : ((_e45 == 2u) ? cx_2 : bx_2)));
+                float x_29 = ((_e65 > 4u) ? ((_e61 > 5u) ? ((_e57 == 7u) ? hx : gx) : fx) : ((_e53 > 2u) ? ((_e49 == 4u) ? ex : dx_1) : ((_e45 == 2u) ? cx_2 : bx_2)));
                 uint _e69 = i;
                 uint _e73 = i;
                 uint _e77 = i;
                 uint _e81 = i;
                 uint _e85 = i;
                 uint _e89 = i;
-                float y_19 = ((_e89 > 4u) ? ((_e85 > 5u) ? ((_e81 == 7u) ? hy : gy) : fy) : ((_e77 > 2u) ? ((_e73 == 4u) ? ey : dy_1) : ((_e69 == 2u) ? cy_2 : by_2)));
+                float y_20 = ((_e89 > 4u) ? ((_e85 > 5u) ? ((_e81 == 7u) ? hy : gy) : fy) : ((_e77 > 2u) ? ((_e73 == 4u) ? ey : dy_1) : ((_e69 == 2u) ? cy_2 : by_2)));
                 uint _e93 = i;
                 uint _e97 = i;
                 uint _e101 = i;
                 uint _e105 = i;
                 uint _e109 = i;
                 uint _e113 = i;
-                float z_6 = ((_e113 > 4u) ? ((_e109 > 5u) ? ((_e105 == 7u) ? hz : gz) : fz) : ((_e101 > 2u) ? ((_e97 == 4u) ? ez : dz_1) : ((_e93 == 2u) ? cz_2 : bz_2)));
-                LightPoint place_1 = ConstructLightPoint(x_28, y_19, z_6);
+                float z_7 = ((_e113 > 4u) ? ((_e109 > 5u) ? ((_e105 == 7u) ? hz : gz) : fz) : ((_e101 > 2u) ? ((_e97 == 4u) ? ez : dz_1) : ((_e93 == 2u) ? cz_2 : bz_2)));
+                LightPoint place_1 = ConstructLightPoint(x_29, y_20, z_7);
                 const float _e118 = light_side(_e30, place_1);
                 LightChords _e119 = chords_4;
                 LightPoint _e120 = last_7;
@@ -2779,4 +2818,619 @@ float polygon_light_chord(float radius_24, float wavelength_27, float width_17, 
     LightChords _e131 = chords_4;
     const float _e132 = light_closed(_e131, _e30);
     return (_e130 * _e132);
+}
+
+LightBand ConstructLightBand(float arg0, float arg1, float arg2, float arg3, float arg4) {
+    LightBand ret = (LightBand)0;
+    ret.along = arg0;
+    ret.width = arg1;
+    ret.view_t = arg2;
+    ret.view_b = arg3;
+    ret.reference = arg4;
+    return ret;
+}
+
+// Returns the band of a view and a scratch, its reference at the direction of these bitangent
+// components.
+LightBand light_band(float radius_25, float wavelength_28, float width_18, float view_t_5, float view_b_5, float reference)
+{
+    const LightBand lightband = ConstructLightBand((TWO_PI * (radius_25 / wavelength_28)), (width_18 / wavelength_28), view_t_5, view_b_5, (reference + view_b_5));
+    return lightband;
+}
+
+// Returns the factor from sums along an outline to the integral over the light, 1 over k W/2.
+float light_band_scale(float wavelength_29, float width_19)
+{
+    return (wavelength_29 / (ARC_PI * width_19));
+}
+
+// Returns -exp(-t^2) Phi dt for one node of a panel, at the half-angle tangent v from the middle of
+// a piece.
+float light_band_node(LightBand band, LightCircle circle, LightAngle middle_2, float v_3)
+{
+    float inverse_8 = (1.0 / (1.0 + (v_3 * v_3)));
+    float cosine_1 = ((1.0 - (v_3 * v_3)) * inverse_8);
+    float sine_5 = ((v_3 + v_3) * inverse_8);
+    float c_14 = ((middle_2.c * cosine_1) - (middle_2.s * sine_5));
+    float s_13 = ((middle_2.s * cosine_1) + (middle_2.c * sine_5));
+    float t_6 = (band.along * ((circle.centre_t + band.view_t) + (circle.reach * c_14)));
+    float b_17 = ((circle.centre_b + band.view_b) + ((circle.across_cosine * c_14) + (circle.across_sine * s_13)));
+    const float _e47 = arc_turns(band.width, band.reference, b_17, abs((b_17 - band.reference)));
+    const float _e54 = exponential(-((t_6 * t_6)));
+    return (((circle.reach * s_13) * (inverse_8 + inverse_8)) * (_e54 * _e47));
+}
+
+LightAngle ConstructLightAngle(float arg0, float arg1) {
+    LightAngle ret = (LightAngle)0;
+    ret.c = arg0;
+    ret.s = arg1;
+    return ret;
+}
+
+// Returns the integral of -exp(-t^2) Phi dt over the part in the band of a piece whose ends lie on
+// one half turn.
+float light_band_piece(LightBand band_1, LightCircle circle_1, LightAngle start_3, LightAngle stop_3)
+{
+    bool local_21 = (bool)0;
+    bool local_22 = (bool)0;
+    bool local_23 = (bool)0;
+    float sum = 0.0;
+    uint i_1 = 0u;
+
+    float offset_8 = (circle_1.centre_t + band_1.view_t);
+    float t_start = (band_1.along * (offset_8 + (circle_1.reach * start_3.c)));
+    float t_stop = (band_1.along * (offset_8 + (circle_1.reach * stop_3.c)));
+    if (!((min(t_start, t_stop) >= BAND_END))) {
+        local_21 = (max(t_start, t_stop) <= -3.5);
+    } else {
+        local_21 = true;
+    }
+    bool _e29 = local_21;
+    if (_e29) {
+        return 0.0;
+    }
+    float height_5 = (start_3.s + stop_3.s);
+    if (!((height_5 > 0.0))) {
+        if ((height_5 == 0.0)) {
+            local_23 = (start_3.c > stop_3.c);
+        } else {
+            local_23 = false;
+        }
+        bool _e47 = local_23;
+        local_22 = _e47;
+    } else {
+        local_22 = true;
+    }
+    bool upper_6 = local_22;
+    float high_5 = min(max((((BAND_END / band_1.along) - offset_8) / circle_1.reach), -1.0), 1.0);
+    float low_4 = min(max((((-3.5 / band_1.along) - offset_8) / circle_1.reach), -1.0), 1.0);
+    float high_s = sqrt(((1.0 - high_5) * (1.0 + high_5)));
+    float low_s = sqrt(((1.0 - low_4) * (1.0 + low_4)));
+    float a_c = ((t_start < -3.5) ? low_4 : ((t_start > BAND_END) ? high_5 : start_3.c));
+    float a_size = ((t_start < -3.5) ? low_s : ((t_start > BAND_END) ? high_s : abs(start_3.s)));
+    float z_c = ((t_stop < -3.5) ? low_4 : ((t_stop > BAND_END) ? high_5 : stop_3.c));
+    float z_size = ((t_stop < -3.5) ? low_s : ((t_stop > BAND_END) ? high_s : abs(stop_3.s)));
+    float a_s = (upper_6 ? a_size : -(a_size));
+    float z_s = (upper_6 ? z_size : -(z_size));
+    float sum_c = (a_c + z_c);
+    float sum_s = (a_s + z_s);
+    float way_c = (z_c - a_c);
+    float way_s = (z_s - a_s);
+    float length_sum = sqrt(((sum_c * sum_c) + (sum_s * sum_s)));
+    float length_way = sqrt(((way_c * way_c) + (way_s * way_s)));
+    bool by_sum = (length_sum > length_way);
+    float size_5 = (1.0 / (by_sum ? length_sum : length_way));
+    LightAngle middle_8 = ConstructLightAngle((size_5 * (by_sum ? sum_c : way_s)), (size_5 * (by_sum ? sum_s : -(way_c))));
+    float reach_v = (length_way / (2.0 + length_sum));
+    float angle = (4.0 * reach_v);
+    float steepest = (((a_c * z_c) < 0.0) ? 1.0 : max(a_size, z_size));
+    float swing = sqrt(((circle_1.across_cosine * circle_1.across_cosine) + (circle_1.across_sine * circle_1.across_sine)));
+    float slope_2 = min(swing, (abs(((circle_1.across_sine * middle_8.c) - (circle_1.across_cosine * middle_8.s))) + (swing * reach_v)));
+    float measure = ((1.5 * ((band_1.along * circle_1.reach) * (steepest * angle))) + (1.5707964 * (band_1.width * (slope_2 * angle))));
+    float panels = min(max(ceil((measure / BAND_PANEL_LIMIT)), 1.0), 16.0);
+    float panel = (reach_v / panels);
+    bool loop_init_1 = true;
+    while(true) {
+        if (!loop_init_1) {
+            uint _e260 = i_1;
+            i_1 = (_e260 + 1u);
+        }
+        loop_init_1 = false;
+        uint _e193 = i_1;
+        if ((_e193 < 16u)) {
+        } else {
+            break;
+        }
+        {
+            uint _e196 = i_1;
+            if ((float(_e196) < panels)) {
+                uint _e200 = i_1;
+                float centre_6 = (((2.0 * float(_e200)) + (1.0 - panels)) * panel);
+                float _e207 = sum;
+                const float _e212 = light_band_node(band_1, circle_1, middle_8, (centre_6 - (BAND_NODE_A * panel)));
+                const float _e216 = light_band_node(band_1, circle_1, middle_8, (centre_6 + (BAND_NODE_A * panel)));
+                sum = (_e207 + (BAND_WEIGHT_A * (_e212 + _e216)));
+                float _e220 = sum;
+                const float _e225 = light_band_node(band_1, circle_1, middle_8, (centre_6 - (BAND_NODE_B * panel)));
+                const float _e229 = light_band_node(band_1, circle_1, middle_8, (centre_6 + (BAND_NODE_B * panel)));
+                sum = (_e220 + (BAND_WEIGHT_B * (_e225 + _e229)));
+                float _e233 = sum;
+                const float _e238 = light_band_node(band_1, circle_1, middle_8, (centre_6 - (BAND_NODE_C * panel)));
+                const float _e242 = light_band_node(band_1, circle_1, middle_8, (centre_6 + (BAND_NODE_C * panel)));
+                sum = (_e233 + (BAND_WEIGHT_C * (_e238 + _e242)));
+                float _e246 = sum;
+                const float _e251 = light_band_node(band_1, circle_1, middle_8, (centre_6 - (BAND_NODE_D * panel)));
+                const float _e255 = light_band_node(band_1, circle_1, middle_8, (centre_6 + (BAND_NODE_D * panel)));
+                sum = (_e246 + (BAND_WEIGHT_D * (_e251 + _e255)));
+            }
+        }
+    }
+    float _e262 = sum;
+    return (_e262 * panel);
+}
+
+// Returns the integral of -exp(-t^2) Phi dt over an arc run through in the direction of growing
+// angles; `reflex` is 1 for an
+// arc longer than half a turn, else 0.
+float light_band_arc(LightBand band_2, LightCircle circle_2, LightAngle start_4, LightAngle stop_4, float reflex)
+{
+    float sum_1 = 0.0;
+    LightAngle at = (LightAngle)0;
+    bool first_10 = (bool)0;
+    bool local_24 = (bool)0;
+    bool local_25 = (bool)0;
+    bool open = (bool)0;
+    bool local_26 = (bool)0;
+    bool local_27 = (bool)0;
+    bool falling = (bool)0;
+    bool local_28 = (bool)0;
+    bool local_29 = (bool)0;
+    uint k = 0u;
+    bool local_30 = (bool)0;
+    bool local_31 = (bool)0;
+    bool local_32 = (bool)0;
+
+    float turn = ((start_4.c * stop_4.s) - (start_4.s * stop_4.c));
+    float along_7 = ((start_4.c * stop_4.c) + (start_4.s * stop_4.s));
+    at = start_4;
+    first_10 = (reflex > 0.0);
+    bool _e25 = first_10;
+    if (!(_e25)) {
+        local_24 = (turn > 0.0);
+    } else {
+        local_24 = true;
+    }
+    bool _e32 = local_24;
+    if (!(_e32)) {
+        local_25 = (along_7 <= 0.0);
+    } else {
+        local_25 = true;
+    }
+    bool _e39 = local_25;
+    open = _e39;
+    if (!((start_4.s > 0.0))) {
+        if ((start_4.s == 0.0)) {
+            local_27 = (start_4.c > 0.0);
+        } else {
+            local_27 = false;
+        }
+        bool _e56 = local_27;
+        local_26 = _e56;
+    } else {
+        local_26 = true;
+    }
+    bool _e58 = local_26;
+    falling = _e58;
+    if (!((stop_4.s > 0.0))) {
+        if ((stop_4.s == 0.0)) {
+            local_29 = (stop_4.c < 0.0);
+        } else {
+            local_29 = false;
+        }
+        bool _e75 = local_29;
+        local_28 = _e75;
+    } else {
+        local_28 = true;
+    }
+    bool stop_falling = local_28;
+    bool loop_init_2 = true;
+    while(true) {
+        if (!loop_init_2) {
+            uint _e137 = k;
+            k = (_e137 + 1u);
+        }
+        loop_init_2 = false;
+        uint _e80 = k;
+        if ((_e80 < 3u)) {
+        } else {
+            break;
+        }
+        {
+            bool _e83 = open;
+            if (_e83) {
+                uint _e86 = k;
+                local_30 = (_e86 < 3u);
+            } else {
+                local_30 = false;
+            }
+            bool _e90 = local_30;
+            if (_e90) {
+                float _e93 = at.c;
+                float _e96 = at.c;
+                bool _e99 = falling;
+                bool ahead = ((_e99 ? (_e96 - stop_4.c) : (stop_4.c - _e93)) >= 0.0);
+                bool _e103 = falling;
+                if ((_e103 == stop_falling)) {
+                    local_31 = ahead;
+                } else {
+                    local_31 = false;
+                }
+                bool _e108 = local_31;
+                if (_e108) {
+                    bool _e111 = first_10;
+                    local_32 = !(_e111);
+                } else {
+                    local_32 = false;
+                }
+                bool last_9 = local_32;
+                bool _e117 = falling;
+                LightAngle corner = ConstructLightAngle((_e117 ? -1.0 : 1.0), 0.0);
+                LightAngle next_4 = ConstructLightAngle((last_9 ? stop_4.c : corner.c), (last_9 ? stop_4.s : corner.s));
+                float _e128 = sum_1;
+                LightAngle _e129 = at;
+                const float _e130 = light_band_piece(band_2, circle_2, _e129, next_4);
+                sum_1 = (_e128 + _e130);
+                at = next_4;
+                bool _e132 = falling;
+                falling = !(_e132);
+                first_10 = false;
+                open = !(last_9);
+            }
+        }
+    }
+    float _e139 = sum_1;
+    return _e139;
+}
+
+// Returns an angle of this cosine and sine, which share a factor.
+LightAngle light_angle(float c_4, float s_2)
+{
+    float size_6 = (1.0 / sqrt(((c_4 * c_4) + (s_2 * s_2))));
+    const LightAngle lightangle = ConstructLightAngle((c_4 * size_6), (s_2 * size_6));
+    return lightangle;
+}
+
+// Returns the angle of one turned by another, which share a factor.
+LightAngle light_turned(float c_5, float s_3, float along, float aside)
+{
+    const LightAngle _e10 = light_angle(((c_5 * along) - (s_3 * aside)), ((s_3 * along) + (c_5 * aside)));
+    const LightAngle lightangle_1 = _e10;
+    return lightangle_1;
+}
+
+LightCircle ConstructLightCircle(float arg0, float arg1, float arg2, float arg3, float arg4) {
+    LightCircle ret = (LightCircle)0;
+    ret.centre_t = arg0;
+    ret.centre_b = arg1;
+    ret.reach = arg2;
+    ret.across_cosine = arg3;
+    ret.across_sine = arg4;
+    return ret;
+}
+
+// Returns the integral of exp(-(sigma k xi_t)^2) sinc^2(k W xi_b/2) over the visible part of a
+// sphere, dimensionless
+// (VWH18 3.4.1, for any place of the light).
+//
+// `x`, `y`, `z` is the sphere's centre, outside which the shaded point lies.
+float sphere_light(float radius_26, float wavelength_30, float width_20, float view_t_6, float view_b_6, float x_22, float y_7, float z_1, float sphere_radius_1)
+{
+    float sum_2 = 0.0;
+
+    float far_4 = sqrt((((x_22 * x_22) + (y_7 * y_7)) + (z_1 * z_1)));
+    float sine_6 = min((sphere_radius_1 / far_4), 1.0);
+    float cosine_2 = sqrt(((1.0 - sine_6) * (1.0 + sine_6)));
+    float cx_6 = (x_22 / far_4);
+    float cy_6 = (y_7 / far_4);
+    float cz_6 = (z_1 / far_4);
+    float tilt_2 = sqrt(((cy_6 * cy_6) + (cz_6 * cz_6)));
+    float level_1 = sqrt(((cx_6 * cx_6) + (cy_6 * cy_6)));
+    float flat_b = ((tilt_2 == 0.0) ? cx_6 : (-((cx_6 * cy_6)) / tilt_2));
+    float flat_n = ((tilt_2 == 0.0) ? 0.0 : (-((cx_6 * cz_6)) / tilt_2));
+    float side_b = ((tilt_2 == 0.0) ? 0.0 : (cz_6 / tilt_2));
+    float side_n = ((tilt_2 == 0.0) ? 1.0 : (-(cy_6) / tilt_2));
+    LightCircle circle_3 = ConstructLightCircle((cosine_2 * cx_6), (cosine_2 * cy_6), (sine_6 * tilt_2), (sine_6 * flat_b), (sine_6 * side_b));
+    const LightBand _e66 = light_band(radius_26, wavelength_30, width_20, view_t_6, view_b_6, (cosine_2 * cy_6));
+    float highest = ((sine_6 * level_1) + (cosine_2 * cz_6));
+    float lowest = ((cosine_2 * cz_6) - (sine_6 * level_1));
+    float root_3 = sqrt(max(-((lowest * highest)), 0.0));
+    bool whole_3 = (lowest >= 0.0);
+    float down = -((cosine_2 * cz_6));
+    LightAngle left_2 = ConstructLightAngle(-1.0, 0.0);
+    LightAngle right_2 = ConstructLightAngle(1.0, 0.0);
+    const LightAngle _e89 = light_turned(flat_n, side_n, down, -(root_3));
+    const LightAngle _e90 = light_turned(flat_n, side_n, down, root_3);
+    if (whole_3) {
+        const float _e93 = light_band_piece(_e66, circle_3, right_2, left_2);
+        const float _e94 = light_band_piece(_e66, circle_3, left_2, right_2);
+        sum_2 = (_e93 + _e94);
+    } else {
+        if ((highest > 0.0)) {
+            LightCircle horizon = ConstructLightCircle(0.0, 0.0, 1.0, 0.0, 1.0);
+            const float _e109 = light_band_arc(_e66, circle_3, _e89, _e90, ((down < 0.0) ? 1.0 : 0.0));
+            const LightAngle _e111 = light_turned(cx_6, cy_6, cosine_2, -(root_3));
+            const LightAngle _e112 = light_turned(cx_6, cy_6, cosine_2, root_3);
+            const float _e114 = light_band_arc(_e66, horizon, _e111, _e112, 0.0);
+            sum_2 = (_e109 + _e114);
+        }
+    }
+    const float _e116 = light_band_scale(wavelength_30, width_20);
+    float _e117 = sum_2;
+    return (_e116 * max(_e117, 0.0));
+}
+
+// Returns the integral of -exp(-t^2) Phi dt along the visible arc from one point to another.
+float light_outline_arc(LightBand band_3, LightPoint start_5, LightPoint stop_5)
+{
+    float sum_3 = 0.0;
+
+    float dx_5 = (stop_5.x - start_5.x);
+    float dy_5 = (stop_5.y - start_5.y);
+    float dz_5 = (stop_5.z - start_5.z);
+    float nx_1 = ((start_5.y * dz_5) - (start_5.z * dy_5));
+    float ny_1 = ((start_5.z * dx_5) - (start_5.x * dz_5));
+    float nz_1 = ((start_5.x * dy_5) - (start_5.y * dx_5));
+    float tilt_3 = sqrt(((ny_1 * ny_1) + (nz_1 * nz_1)));
+    float size_7 = sqrt((((nx_1 * nx_1) + (ny_1 * ny_1)) + (nz_1 * nz_1)));
+    if ((tilt_3 > 0.0)) {
+        LightCircle circle_4 = ConstructLightCircle(0.0, 0.0, (tilt_3 / size_7), (-((nx_1 / size_7)) * (ny_1 / tilt_3)), (nz_1 / tilt_3));
+        const LightAngle _e57 = light_angle((start_5.x * size_7), ((nz_1 * start_5.y) - (ny_1 * start_5.z)));
+        const LightAngle _e65 = light_angle((stop_5.x * size_7), ((nz_1 * stop_5.y) - (ny_1 * stop_5.z)));
+        const float _e67 = light_band_arc(band_3, circle_4, _e57, _e65, 0.0);
+        sum_3 = _e67;
+    }
+    float _e68 = sum_3;
+    return _e68;
+}
+
+// Returns the outline after one more edge of a polygon.
+LightOutline light_outline_edge(LightOutline outline, LightBand band_4, LightPoint start_6, LightPoint stop_6)
+{
+    LightOutline next_3 = (LightOutline)0;
+    bool local_33 = (bool)0;
+    bool local_34 = (bool)0;
+    bool local_35 = (bool)0;
+
+    next_3 = outline;
+    const LightPoint _e5 = light_horizon(start_6, stop_6);
+    bool up = (start_6.z >= 0.0);
+    bool stays = (stop_6.z >= 0.0);
+    LightPoint first_13 = ConstructLightPoint((up ? start_6.x : _e5.x), (up ? start_6.y : _e5.y), (up ? start_6.z : _e5.z));
+    LightPoint last_10 = ConstructLightPoint((stays ? stop_6.x : _e5.x), (stays ? stop_6.y : _e5.y), (stays ? stop_6.z : _e5.z));
+    if (!(up)) {
+        local_33 = stays;
+    } else {
+        local_33 = true;
+    }
+    bool _e36 = local_33;
+    if (_e36) {
+        float _e38 = next_3.sum;
+        const float _e39 = light_outline_arc(band_4, first_13, last_10);
+        next_3.sum = (_e38 + _e39);
+    }
+    if (stays) {
+        local_34 = !(up);
+    } else {
+        local_34 = false;
+    }
+    bool _e45 = local_34;
+    if (_e45) {
+        float _e47 = next_3.below;
+        if ((_e47 > 0.0)) {
+            float _e51 = next_3.sum;
+            LightPoint _e53 = next_3.setting;
+            const float _e54 = light_outline_arc(band_4, _e53, _e5);
+            next_3.sum = (_e51 + _e54);
+            next_3.below = 0.0;
+        } else {
+            next_3.rise = _e5;
+            next_3.risen = 1.0;
+        }
+    }
+    if (up) {
+        local_35 = !(stays);
+    } else {
+        local_35 = false;
+    }
+    bool _e65 = local_35;
+    if (_e65) {
+        next_3.setting = _e5;
+        next_3.below = 1.0;
+    }
+    LightOutline _e69 = next_3;
+    const LightOutline lightoutline = _e69;
+    return lightoutline;
+}
+
+LightOutline ConstructLightOutline(float arg0, LightPoint arg1, float arg2, LightPoint arg3, float arg4) {
+    LightOutline ret = (LightOutline)0;
+    ret.sum = arg0;
+    ret.setting = arg1;
+    ret.below = arg2;
+    ret.rise = arg3;
+    ret.risen = arg4;
+    return ret;
+}
+
+// Returns an empty outline.
+LightOutline light_outline()
+{
+    LightPoint none_1 = ConstructLightPoint(0.0, 0.0, 0.0);
+    const LightOutline lightoutline_1 = ConstructLightOutline(0.0, none_1, 0.0, none_1, 0.0);
+    return lightoutline_1;
+}
+
+// Returns the integral along a closed outline.
+float light_outline_closed(LightOutline outline_1, LightBand band_5)
+{
+    float sum_4 = (float)0;
+    bool local_36 = (bool)0;
+
+    sum_4 = outline_1.sum;
+    if ((outline_1.below > 0.0)) {
+        local_36 = (outline_1.risen > 0.0);
+    } else {
+        local_36 = false;
+    }
+    bool _e13 = local_36;
+    if (_e13) {
+        float _e14 = sum_4;
+        const float _e17 = light_outline_arc(band_5, outline_1.setting, outline_1.rise);
+        sum_4 = (_e14 + _e17);
+    }
+    float _e19 = sum_4;
+    return abs(_e19);
+}
+
+// Returns the bitangent component of the direction of a point, or of its projection where it is
+// below the horizon.
+float light_bitangent(LightPoint p_1)
+{
+    return (p_1.y / sqrt((((p_1.x * p_1.x) + (p_1.y * p_1.y)) + (p_1.z * p_1.z))));
+}
+
+// Returns the integral of exp(-(sigma k xi_t)^2) sinc^2(k W xi_b/2) over the visible part of a
+// triangle, dimensionless
+// (VWH18 3.4.2, for any place of the light).
+//
+// The three vertices follow, either way round.
+float triangle_light(float radius_27, float wavelength_31, float width_21, float view_t_7, float view_b_7, float ax_3, float ay_3, float az_3, float bx_3, float by_3, float bz_3, float cx_3, float cy_3, float cz_3)
+{
+    LightOutline outline_2 = (LightOutline)0;
+
+    LightPoint a_12 = ConstructLightPoint(ax_3, ay_3, az_3);
+    LightPoint b_18 = ConstructLightPoint(bx_3, by_3, bz_3);
+    LightPoint c_15 = ConstructLightPoint(cx_3, cy_3, cz_3);
+    const float _e24 = light_bitangent(ConstructLightPoint(((ax_3 + bx_3) + cx_3), ((ay_3 + by_3) + cy_3), ((az_3 + bz_3) + cz_3)));
+    const LightBand _e25 = light_band(radius_27, wavelength_31, width_21, view_t_7, view_b_7, _e24);
+    const LightOutline _e26 = light_outline();
+    const LightOutline _e27 = light_outline_edge(_e26, _e25, a_12, b_18);
+    outline_2 = _e27;
+    LightOutline _e29 = outline_2;
+    const LightOutline _e30 = light_outline_edge(_e29, _e25, b_18, c_15);
+    outline_2 = _e30;
+    LightOutline _e31 = outline_2;
+    const LightOutline _e32 = light_outline_edge(_e31, _e25, c_15, a_12);
+    outline_2 = _e32;
+    const float _e33 = light_band_scale(wavelength_31, width_21);
+    LightOutline _e34 = outline_2;
+    const float _e35 = light_outline_closed(_e34, _e25);
+    return (_e33 * _e35);
+}
+
+// Returns the integral of exp(-(sigma k xi_t)^2) sinc^2(k W xi_b/2) over the visible part of a
+// quadrilateral,
+// dimensionless (VWH18 3.4.2, for any place of the light).
+//
+// The four vertices follow in order, either way round, convex or not.
+float quad_light(float radius_28, float wavelength_32, float width_22, float view_t_8, float view_b_8, float ax_4, float ay_4, float az_4, float bx_4, float by_4, float bz_4, float cx_4, float cy_4, float cz_4, float dx_2, float dy_2, float dz_2)
+{
+    LightOutline outline_3 = (LightOutline)0;
+
+    LightPoint a_13 = ConstructLightPoint(ax_4, ay_4, az_4);
+    LightPoint b_19 = ConstructLightPoint(bx_4, by_4, bz_4);
+    LightPoint c_16 = ConstructLightPoint(cx_4, cy_4, cz_4);
+    LightPoint d_13 = ConstructLightPoint(dx_2, dy_2, dz_2);
+    const float _e31 = light_bitangent(ConstructLightPoint(((ax_4 + bx_4) + (cx_4 + dx_2)), ((ay_4 + by_4) + (cy_4 + dy_2)), ((az_4 + bz_4) + (cz_4 + dz_2))));
+    const LightBand _e32 = light_band(radius_28, wavelength_32, width_22, view_t_8, view_b_8, _e31);
+    const LightOutline _e33 = light_outline();
+    const LightOutline _e34 = light_outline_edge(_e33, _e32, a_13, b_19);
+    outline_3 = _e34;
+    LightOutline _e36 = outline_3;
+    const LightOutline _e37 = light_outline_edge(_e36, _e32, b_19, c_16);
+    outline_3 = _e37;
+    LightOutline _e38 = outline_3;
+    const LightOutline _e39 = light_outline_edge(_e38, _e32, c_16, d_13);
+    outline_3 = _e39;
+    LightOutline _e40 = outline_3;
+    const LightOutline _e41 = light_outline_edge(_e40, _e32, d_13, a_13);
+    outline_3 = _e41;
+    const float _e42 = light_band_scale(wavelength_32, width_22);
+    LightOutline _e43 = outline_3;
+    const float _e44 = light_outline_closed(_e43, _e32);
+    return (_e42 * _e44);
+}
+
+// Returns the integral of exp(-(sigma k xi_t)^2) sinc^2(k W xi_b/2) over the visible part of a
+// polygon of three to eight
+// vertices, dimensionless (VWH18 3.4.2, for any place of the light).
+//
+// `count` is the number of vertices; the vertices follow in order, either way round, convex or not;
+// those beyond the
+// count are not read.
+float polygon_light(float radius_29, float wavelength_33, float width_23, float view_t_9, float view_b_9, float count_1, float ax_5, float ay_5, float az_5, float bx_5, float by_5, float bz_5, float cx_5, float cy_5, float cz_5, float dx_3, float dy_3, float dz_3, float ex_1, float ey_1, float ez_1, float fx_1, float fy_1, float fz_1, float gx_1, float gy_1, float gz_1, float hx_1, float hy_1, float hz_1)
+{
+    LightOutline outline_4 = (LightOutline)0;
+    LightPoint last_8 = (LightPoint)0;
+    uint i_2 = 1u;
+
+    LightPoint a_14 = ConstructLightPoint(ax_5, ay_5, az_5);
+    const float _e31 = light_bitangent(a_14);
+    const LightBand _e32 = light_band(radius_29, wavelength_33, width_23, view_t_9, view_b_9, _e31);
+    const LightOutline _e33 = light_outline();
+    outline_4 = _e33;
+    last_8 = a_14;
+    bool loop_init_3 = true;
+    while(true) {
+        if (!loop_init_3) {
+            uint _e121 = i_2;
+            i_2 = (_e121 + 1u);
+        }
+        loop_init_3 = false;
+        uint _e38 = i_2;
+        if ((_e38 < 8u)) {
+        } else {
+            break;
+        }
+        {
+            uint _e41 = i_2;
+            if ((float(_e41) < count_1)) {
+                uint _e44 = i_2;
+                uint _e48 = i_2;
+                uint _e52 = i_2;
+                uint _e56 = i_2;
+                uint _e60 = i_2;
+                uint _e64 = i_2;
+                float x_30 = ((_e64 > 4u) ? ((_e60 > 5u) ? ((_e56 == 7u) ? hx_1 : gx_1) : fx_1) : ((_e52 > 2u) ? ((_e48 == 4u) ? ex_1 : dx_3) : ((_e44 == 2u) ? cx_5 : bx_5)));
+                uint _e68 = i_2;
+                uint _e72 = i_2;
+                uint _e76 = i_2;
+                uint _e80 = i_2;
+                uint _e84 = i_2;
+                uint _e88 = i_2;
+                float y_21 = ((_e88 > 4u) ? ((_e84 > 5u) ? ((_e80 == 7u) ? hy_1 : gy_1) : fy_1) : ((_e76 > 2u) ? ((_e72 == 4u) ? ey_1 : dy_3) : ((_e68 == 2u) ? cy_5 : by_5)));
+                uint _e92 = i_2;
+                uint _e96 = i_2;
+                uint _e100 = i_2;
+                uint _e104 = i_2;
+                uint _e108 = i_2;
+                uint _e112 = i_2;
+                float z_8 = ((_e112 > 4u) ? ((_e108 > 5u) ? ((_e104 == 7u) ? hz_1 : gz_1) : fz_1) : ((_e100 > 2u) ? ((_e96 == 4u) ? ez_1 : dz_3) : ((_e92 == 2u) ? cz_5 : bz_5)));
+                LightPoint place_2 = ConstructLightPoint(x_30, y_21, z_8);
+                LightOutline _e117 = outline_4;
+                LightPoint _e118 = last_8;
+                const LightOutline _e119 = light_outline_edge(_e117, _e32, _e118, place_2);
+                outline_4 = _e119;
+                last_8 = place_2;
+            }
+        }
+    }
+    LightOutline _e123 = outline_4;
+    LightPoint _e124 = last_8;
+    const LightOutline _e125 = light_outline_edge(_e123, _e32, _e124, a_14);
+    outline_4 = _e125;
+    const float _e126 = light_band_scale(wavelength_33, width_23);
+    LightOutline _e127 = outline_4;
+    const float _e128 = light_outline_closed(_e127, _e32);
+    return (_e126 * _e128);
 }

@@ -2582,3 +2582,393 @@ fn polygon_light_chord(radius: f32, wavelength: f32, width: f32, view_t: f32, vi
     chords = light_edge(chords, cut, last, a, last_side, first_side);
     return light_scale(radius, wavelength, width) * light_closed(chords, cut);
 }
+
+// ---- area_light ----
+// Area lights over the lobe of an infinite scratch, whatever part of the band they cover, in f32.
+// Sources named: VWH18 3.4.1, VWH18 3.4.2.
+
+// |sigma k xi_t| at the end of the band.
+const BAND_END: f32 = 3.5f;
+// Measure of a panel of 8 nodes.
+const BAND_PANEL_LIMIT: f32 = 4.0f;
+// Gauss-Legendre, 8 points: nodes and weights from the middle out.
+const BAND_NODE_A: f32 = 0.18343464f;
+// The second node.
+const BAND_NODE_B: f32 = 0.52553242f;
+// The third node.
+const BAND_NODE_C: f32 = 0.7966665f;
+// The outer node.
+const BAND_NODE_D: f32 = 0.96028984f;
+// Weight of the first node.
+const BAND_WEIGHT_A: f32 = 0.36268377f;
+// Weight of the second node.
+const BAND_WEIGHT_B: f32 = 0.31370664f;
+// Weight of the third node.
+const BAND_WEIGHT_C: f32 = 0.22238104f;
+// Weight of the outer node.
+const BAND_WEIGHT_D: f32 = 0.101228535f;
+
+// The lobe in the units of its two factors.
+struct LightBand {
+    // sigma k.
+    along: f32,
+    // Width over wavelength.
+    width: f32,
+    // The view's tangent component.
+    view_t: f32,
+    // The view's bitangent component.
+    view_b: f32,
+    // The bitangent cosine from which the integral of sinc^2 counts.
+    reference: f32,
+}
+
+// A circle on the unit sphere, projected: t = t0 + reach cos, b = b0 + cosine cos + sine sin of an
+// angle.
+struct LightCircle {
+    // t0.
+    centre_t: f32,
+    // b0.
+    centre_b: f32,
+    // Half the extent along the tangent.
+    reach: f32,
+    // The coefficient of the cosine in b.
+    across_cosine: f32,
+    // The coefficient of the sine in b.
+    across_sine: f32,
+}
+
+// Cosine and sine of an angle on such a circle.
+struct LightAngle {
+    // Cosine.
+    c: f32,
+    // Sine.
+    s: f32,
+}
+
+// Returns the band of a view and a scratch, its reference at the direction of these bitangent
+// components.
+fn light_band(radius: f32, wavelength: f32, width: f32, view_t: f32, view_b: f32, reference: f32) ->
+    LightBand {
+    return LightBand(TWO_PI * (radius / wavelength), width / wavelength, view_t, view_b, reference +
+        view_b);
+}
+
+// Returns the factor from sums along an outline to the integral over the light, 1 over k W/2.
+fn light_band_scale(wavelength: f32, width: f32) -> f32 {
+    return wavelength / (ARC_PI * width);
+}
+
+// Returns -exp(-t^2) Phi dt for one node of a panel, at the half-angle tangent v from the middle of
+// a piece.
+fn light_band_node(band: LightBand, circle: LightCircle, middle: LightAngle, v: f32) -> f32 {
+    let inverse = 1.0f / (1.0f + v * v);
+    let cosine = (1.0f - v * v) * inverse;
+    let sine = (v + v) * inverse;
+    let c = middle.c * cosine - middle.s * sine;
+    let s = middle.s * cosine + middle.c * sine;
+    let t = band.along * ((circle.centre_t + band.view_t) + circle.reach * c);
+    let b = (circle.centre_b + band.view_b) + (circle.across_cosine * c + circle.across_sine * s);
+    let phi = arc_turns(band.width, band.reference, b, abs(b - band.reference));
+    return ((circle.reach * s) * (inverse + inverse)) * (exponential(-(t * t)) * phi);
+}
+
+// Returns the integral of -exp(-t^2) Phi dt over the part in the band of a piece whose ends lie on
+// one half turn.
+fn light_band_piece(band: LightBand, circle: LightCircle, start: LightAngle, stop: LightAngle) ->
+    f32 {
+    let offset = circle.centre_t + band.view_t;
+    let t_start = band.along * (offset + circle.reach * start.c);
+    let t_stop = band.along * (offset + circle.reach * stop.c);
+    if min(t_start, t_stop) >= BAND_END || max(t_start, t_stop) <= -BAND_END {
+        return 0.0f;
+    }
+    let height = start.s + stop.s;
+    let upper = height > 0.0f || (height == 0.0f && start.c > stop.c);
+    let high = min(max((BAND_END / band.along - offset) / circle.reach, -1.0f), 1.0f);
+    let low = min(max((-BAND_END / band.along - offset) / circle.reach, -1.0f), 1.0f);
+    let high_s = sqrt((1.0f - high) * (1.0f + high));
+    let low_s = sqrt((1.0f - low) * (1.0f + low));
+    let a_c = select(select(start.c, high, t_start > BAND_END), low, t_start < -BAND_END);
+    let a_size = select(select(abs(start.s), high_s, t_start > BAND_END), low_s, t_start <
+        -BAND_END);
+    let z_c = select(select(stop.c, high, t_stop > BAND_END), low, t_stop < -BAND_END);
+    let z_size = select(select(abs(stop.s), high_s, t_stop > BAND_END), low_s, t_stop < -BAND_END);
+    let a_s = select(-a_size, a_size, upper);
+    let z_s = select(-z_size, z_size, upper);
+    let sum_c = a_c + z_c;
+    let sum_s = a_s + z_s;
+    let way_c = z_c - a_c;
+    let way_s = z_s - a_s;
+    let length_sum = sqrt(sum_c * sum_c + sum_s * sum_s);
+    let length_way = sqrt(way_c * way_c + way_s * way_s);
+    let by_sum = length_sum > length_way;
+    let size = 1.0f / select(length_way, length_sum, by_sum);
+    let middle = LightAngle(size * select(way_s, sum_c, by_sum), size * select(-way_c, sum_s,
+        by_sum));
+    let reach_v = length_way / (2.0f + length_sum);
+    let angle = 4.0f * reach_v;
+    let steepest = select(max(a_size, z_size), 1.0f, a_c * z_c < 0.0f);
+    let swing = sqrt(circle.across_cosine * circle.across_cosine + circle.across_sine *
+        circle.across_sine);
+    let slope = min(swing, abs(circle.across_sine * middle.c - circle.across_cosine * middle.s) +
+        swing * reach_v);
+    let measure = 1.5f * ((band.along * circle.reach) * (steepest * angle)) + (0.5f * ARC_PI) *
+        (band.width * (slope * angle));
+    let panels = min(max(ceil(measure / BAND_PANEL_LIMIT), 1.0f), 16.0f);
+    let panel = reach_v / panels;
+    var sum = 0.0f;
+    for (var i: u32 = 0; i < 16u; i++) {
+        if (f32(i)) < panels {
+            let centre = (2.0f * (f32(i)) + (1.0f - panels)) * panel;
+            sum += BAND_WEIGHT_A * (light_band_node(band, circle, middle, centre - BAND_NODE_A *
+                panel) + light_band_node(band, circle, middle, centre + BAND_NODE_A * panel));
+            sum += BAND_WEIGHT_B * (light_band_node(band, circle, middle, centre - BAND_NODE_B *
+                panel) + light_band_node(band, circle, middle, centre + BAND_NODE_B * panel));
+            sum += BAND_WEIGHT_C * (light_band_node(band, circle, middle, centre - BAND_NODE_C *
+                panel) + light_band_node(band, circle, middle, centre + BAND_NODE_C * panel));
+            sum += BAND_WEIGHT_D * (light_band_node(band, circle, middle, centre - BAND_NODE_D *
+                panel) + light_band_node(band, circle, middle, centre + BAND_NODE_D * panel));
+        }
+    }
+    return sum * panel;
+}
+
+// Returns the integral of -exp(-t^2) Phi dt over an arc run through in the direction of growing
+// angles; `reflex` is 1 for an
+// arc longer than half a turn, else 0.
+fn light_band_arc(band: LightBand, circle: LightCircle, start: LightAngle, stop: LightAngle, reflex:
+    f32) -> f32 {
+    let turn = start.c * stop.s - start.s * stop.c;
+    let along = start.c * stop.c + start.s * stop.s;
+    var sum = 0.0f;
+    var at = start;
+    var first = reflex > 0.0f;
+    var open = first || turn > 0.0f || along <= 0.0f;
+    var falling = start.s > 0.0f || (start.s == 0.0f && start.c > 0.0f);
+    let stop_falling = stop.s > 0.0f || (stop.s == 0.0f && stop.c < 0.0f);
+    for (var k: u32 = 0; k < 3u; k++) {
+        if open && k < 3u {
+            let ahead = select(stop.c - at.c, at.c - stop.c, falling) >= 0.0f;
+            let last = falling == stop_falling && ahead && !first;
+            let corner = LightAngle(select(1.0f, -1.0f, falling), 0.0f);
+            let next = LightAngle(select(corner.c, stop.c, last), select(corner.s, stop.s, last));
+            sum += light_band_piece(band, circle, at, next);
+            at = next;
+            falling = !falling;
+            first = false;
+            open = !last;
+        }
+    }
+    return sum;
+}
+
+// Returns an angle of this cosine and sine, which share a factor.
+fn light_angle(c: f32, s: f32) -> LightAngle {
+    let size = 1.0f / sqrt(c * c + s * s);
+    return LightAngle(c * size, s * size);
+}
+
+// Returns the angle of one turned by another, which share a factor.
+fn light_turned(c: f32, s: f32, along: f32, aside: f32) -> LightAngle {
+    return light_angle(c * along - s * aside, s * along + c * aside);
+}
+
+// Returns the integral of exp(-(sigma k xi_t)^2) sinc^2(k W xi_b/2) over the visible part of a
+// sphere, dimensionless
+// (VWH18 3.4.1, for any place of the light).
+//
+// `x`, `y`, `z` is the sphere's centre, outside which the shaded point lies.
+fn sphere_light(radius: f32, wavelength: f32, width: f32, view_t: f32, view_b: f32, x: f32, y: f32,
+    z: f32, sphere_radius: f32) -> f32 {
+    let far = sqrt((x * x + y * y) + z * z);
+    let sine = min(sphere_radius / far, 1.0f);
+    let cosine = sqrt((1.0f - sine) * (1.0f + sine));
+    let cx = x / far;
+    let cy = y / far;
+    let cz = z / far;
+    let tilt = sqrt(cy * cy + cz * cz);
+    let level = sqrt(cx * cx + cy * cy);
+    let flat_b = select(-(cx * cy) / tilt, cx, tilt == 0.0f);
+    let flat_n = select(-(cx * cz) / tilt, 0.0f, tilt == 0.0f);
+    let side_b = select(cz / tilt, 0.0f, tilt == 0.0f);
+    let side_n = select(-cy / tilt, 1.0f, tilt == 0.0f);
+    let circle = LightCircle(cosine * cx, cosine * cy, sine * tilt, sine * flat_b, sine * side_b);
+    let band = light_band(radius, wavelength, width, view_t, view_b, cosine * cy);
+    let highest = sine * level + cosine * cz;
+    let lowest = cosine * cz - sine * level;
+    let root = sqrt(max(-(lowest * highest), 0.0f));
+    let whole = lowest >= 0.0f;
+    let down = -(cosine * cz);
+    let left = LightAngle(-1.0f, 0.0f);
+    let right = LightAngle(1.0f, 0.0f);
+    let rise = light_turned(flat_n, side_n, down, -root);
+    let setting = light_turned(flat_n, side_n, down, root);
+    var sum = 0.0f;
+    if whole {
+        sum = light_band_piece(band, circle, right, left) + light_band_piece(band, circle, left,
+            right);
+    } else if highest > 0.0f {
+        let horizon = LightCircle(0.0f, 0.0f, 1.0f, 0.0f, 1.0f);
+        sum = light_band_arc(band, circle, rise, setting, select(0.0f, 1.0f, down < 0.0f)) +
+            light_band_arc(band, horizon, light_turned(cx, cy, cosine, -root), light_turned(cx, cy,
+            cosine, root), 0.0f);
+    }
+    return light_band_scale(wavelength, width) * max(sum, 0.0f);
+}
+
+// The outline of a polygon met so far.
+struct LightOutline {
+    // The integral along it.
+    sum: f32,
+    // Where it went below the horizon, if it has not come back.
+    setting: LightPoint,
+    // 1 if it has not, else 0.
+    below: f32,
+    // Where it came up first.
+    rise: LightPoint,
+    // 1 if it came up before it went down, else 0.
+    risen: f32,
+}
+
+// Returns the integral of -exp(-t^2) Phi dt along the visible arc from one point to another.
+fn light_outline_arc(band: LightBand, start: LightPoint, stop: LightPoint) -> f32 {
+    let dx = stop.x - start.x;
+    let dy = stop.y - start.y;
+    let dz = stop.z - start.z;
+    let nx = start.y * dz - start.z * dy;
+    let ny = start.z * dx - start.x * dz;
+    let nz = start.x * dy - start.y * dx;
+    let tilt = sqrt(ny * ny + nz * nz);
+    let size = sqrt((nx * nx + ny * ny) + nz * nz);
+    var sum = 0.0f;
+    if tilt > 0.0f {
+        let circle = LightCircle(0.0f, 0.0f, tilt / size, -(nx / size) * (ny / tilt), nz / tilt);
+        let first = light_angle(start.x * size, nz * start.y - ny * start.z);
+        let last = light_angle(stop.x * size, nz * stop.y - ny * stop.z);
+        sum = light_band_arc(band, circle, first, last, 0.0f);
+    }
+    return sum;
+}
+
+// Returns the outline after one more edge of a polygon.
+fn light_outline_edge(outline: LightOutline, band: LightBand, start: LightPoint, stop: LightPoint)
+    -> LightOutline {
+    var next = outline;
+    let crossing = light_horizon(start, stop);
+    let up = start.z >= 0.0f;
+    let stays = stop.z >= 0.0f;
+    let first = LightPoint(select(crossing.x, start.x, up), select(crossing.y, start.y, up),
+        select(crossing.z, start.z, up));
+    let last = LightPoint(select(crossing.x, stop.x, stays), select(crossing.y, stop.y, stays),
+        select(crossing.z, stop.z, stays));
+    if up || stays {
+        next.sum += light_outline_arc(band, first, last);
+    }
+    if stays && !up {
+        if next.below > 0.0f {
+            next.sum += light_outline_arc(band, next.setting, crossing);
+            next.below = 0.0f;
+        } else {
+            next.rise = crossing;
+            next.risen = 1.0f;
+        }
+    }
+    if up && !stays {
+        next.setting = crossing;
+        next.below = 1.0f;
+    }
+    return next;
+}
+
+// Returns an empty outline.
+fn light_outline() -> LightOutline {
+    let none = LightPoint(0.0f, 0.0f, 0.0f);
+    return LightOutline(0.0f, none, 0.0f, none, 0.0f);
+}
+
+// Returns the integral along a closed outline.
+fn light_outline_closed(outline: LightOutline, band: LightBand) -> f32 {
+    var sum = outline.sum;
+    if outline.below > 0.0f && outline.risen > 0.0f {
+        sum += light_outline_arc(band, outline.setting, outline.rise);
+    }
+    return abs(sum);
+}
+
+// Returns the bitangent component of the direction of a point, or of its projection where it is
+// below the horizon.
+fn light_bitangent(p: LightPoint) -> f32 {
+    return p.y / sqrt((p.x * p.x + p.y * p.y) + p.z * p.z);
+}
+
+// Returns the integral of exp(-(sigma k xi_t)^2) sinc^2(k W xi_b/2) over the visible part of a
+// triangle, dimensionless
+// (VWH18 3.4.2, for any place of the light).
+//
+// The three vertices follow, either way round.
+fn triangle_light(radius: f32, wavelength: f32, width: f32, view_t: f32, view_b: f32, ax: f32, ay:
+    f32, az: f32, bx: f32, by: f32, bz: f32, cx: f32, cy: f32, cz: f32) -> f32 {
+    let a = LightPoint(ax, ay, az);
+    let b = LightPoint(bx, by, bz);
+    let c = LightPoint(cx, cy, cz);
+    let reference = light_bitangent(LightPoint((ax + bx) + cx, (ay + by) + cy, (az + bz) + cz));
+    let band = light_band(radius, wavelength, width, view_t, view_b, reference);
+    var outline = light_outline_edge(light_outline(), band, a, b);
+    outline = light_outline_edge(outline, band, b, c);
+    outline = light_outline_edge(outline, band, c, a);
+    return light_band_scale(wavelength, width) * light_outline_closed(outline, band);
+}
+
+// Returns the integral of exp(-(sigma k xi_t)^2) sinc^2(k W xi_b/2) over the visible part of a
+// quadrilateral,
+// dimensionless (VWH18 3.4.2, for any place of the light).
+//
+// The four vertices follow in order, either way round, convex or not.
+fn quad_light(radius: f32, wavelength: f32, width: f32, view_t: f32, view_b: f32, ax: f32, ay: f32,
+    az: f32, bx: f32, by: f32, bz: f32, cx: f32, cy: f32, cz: f32, dx: f32, dy: f32, dz: f32) -> f32
+    {
+    let a = LightPoint(ax, ay, az);
+    let b = LightPoint(bx, by, bz);
+    let c = LightPoint(cx, cy, cz);
+    let d = LightPoint(dx, dy, dz);
+    let reference = light_bitangent(LightPoint((ax + bx) + (cx + dx), (ay + by) + (cy + dy), (az +
+        bz) + (cz + dz)));
+    let band = light_band(radius, wavelength, width, view_t, view_b, reference);
+    var outline = light_outline_edge(light_outline(), band, a, b);
+    outline = light_outline_edge(outline, band, b, c);
+    outline = light_outline_edge(outline, band, c, d);
+    outline = light_outline_edge(outline, band, d, a);
+    return light_band_scale(wavelength, width) * light_outline_closed(outline, band);
+}
+
+// Returns the integral of exp(-(sigma k xi_t)^2) sinc^2(k W xi_b/2) over the visible part of a
+// polygon of three to eight
+// vertices, dimensionless (VWH18 3.4.2, for any place of the light).
+//
+// `count` is the number of vertices; the vertices follow in order, either way round, convex or not;
+// those beyond the
+// count are not read.
+fn polygon_light(radius: f32, wavelength: f32, width: f32, view_t: f32, view_b: f32, count: f32, ax:
+    f32, ay: f32, az: f32, bx: f32, by: f32, bz: f32, cx: f32, cy: f32, cz: f32, dx: f32, dy: f32,
+    dz: f32, ex: f32, ey: f32, ez: f32, fx: f32, fy: f32, fz: f32, gx: f32, gy: f32, gz: f32, hx:
+    f32, hy: f32, hz: f32) -> f32 {
+    let a = LightPoint(ax, ay, az);
+    let band = light_band(radius, wavelength, width, view_t, view_b, light_bitangent(a));
+    var outline = light_outline();
+    var last = a;
+    for (var i: u32 = 1; i < 8u; i++) {
+        if (f32(i)) < count {
+            let x = select(select(select(bx, cx, i == 2u), select(dx, ex, i == 4u), i > 2u),
+                select(fx, select(gx, hx, i == 7u), i > 5u), i > 4u);
+            let y = select(select(select(by, cy, i == 2u), select(dy, ey, i == 4u), i > 2u),
+                select(fy, select(gy, hy, i == 7u), i > 5u), i > 4u);
+            let z = select(select(select(bz, cz, i == 2u), select(dz, ez, i == 4u), i > 2u),
+                select(fz, select(gz, hz, i == 7u), i > 5u), i > 4u);
+            let place = LightPoint(x, y, z);
+            outline = light_outline_edge(outline, band, last, place);
+            last = place;
+        }
+    }
+    outline = light_outline_edge(outline, band, last, a);
+    return light_band_scale(wavelength, width) * light_outline_closed(outline, band);
+}
