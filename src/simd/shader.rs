@@ -1,8 +1,10 @@
 //! Slices of the f32 kernels of [`shader`].
 
+mod lights;
 mod scratches;
 mod sums;
 
+pub use lights::*;
 pub use scratches::*;
 pub use sums::*;
 

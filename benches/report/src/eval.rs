@@ -8,6 +8,7 @@ use crate::ledger::Entry;
 use crate::names::{self, methods_of, unknown};
 use crate::promise::{bound_on_error, unit};
 use crate::rows::{Next, Rows};
+use reference::registry::lights::{OPEN, Open};
 use reference::registry::{Function, Method, Origin, Precision};
 use std::io::{self, BufRead, Write};
 
@@ -31,6 +32,70 @@ fn open(function: &Function, precision: Precision) -> Vec<&'static Method> {
         .collect()
 }
 
+/// How the rows of a request are evaluated.
+#[derive(Clone, Copy)]
+pub enum Evaluator {
+    /// By a registered method.
+    Method(&'static Method),
+    /// With a relative error of at most a tolerance, by as much work as each row needs.
+    Within(&'static Open, f64),
+}
+
+impl Evaluator {
+    fn precision(&self) -> Precision {
+        match self {
+            Evaluator::Method(method) => method.precision,
+            Evaluator::Within(..) => Precision::F64,
+        }
+    }
+
+    /// The results of a row; what is wrong with a row that the method does not take.
+    fn evaluate(&self, row: &[f64]) -> Result<Vec<f64>, String> {
+        match self {
+            Evaluator::Within(open, tolerance) => Ok(vec![(open.within)(row, *tolerance)]),
+            Evaluator::Method(method) if row.len() == method.call.columns() => Ok(method.call.evaluate(row)),
+            Evaluator::Method(method) => open_to(method.function)
+                .and_then(|open| (open.value)(method.method, method.precision, row))
+                .map(|value| vec![value])
+                .ok_or_else(|| {
+                    format!(
+                        "the {} method {} does not take {} columns",
+                        names::precision(method.precision),
+                        method.method,
+                        row.len()
+                    )
+                }),
+        }
+    }
+}
+
+fn open_to(function: &str) -> Option<&'static Open> {
+    OPEN.iter().find(|open| open.function == function)
+}
+
+/// The function and the evaluator that a request means; `ledger` orders methods by cost where a tolerance is given.
+pub fn choose_evaluator(request: &Request, ledger: &[Entry]) -> Result<(&'static Function, Evaluator), String> {
+    if let (Some(tolerance), None, Some(open), Precision::F64) = (
+        request.tolerance,
+        request.method,
+        open_to(request.function),
+        request.precision,
+    ) {
+        positive(tolerance)?;
+        return Ok((names::function(request.function)?, Evaluator::Within(open, tolerance)));
+    }
+    let (function, method) = choose(request, ledger)?;
+    Ok((function, Evaluator::Method(method)))
+}
+
+fn positive(tolerance: f64) -> Result<(), String> {
+    if tolerance > 0.0 && tolerance.is_finite() {
+        Ok(())
+    } else {
+        Err(format!("a tolerance is a positive number, not {tolerance}"))
+    }
+}
+
 /// The method that a request means; `ledger` orders methods by cost where a tolerance is given.
 pub fn choose(request: &Request, ledger: &[Entry]) -> Result<(&'static Function, &'static Method), String> {
     let function = names::function(request.function)?;
@@ -51,9 +116,7 @@ pub fn choose(request: &Request, ledger: &[Entry]) -> Result<(&'static Function,
             .map(|m| (function, *m))
             .ok_or_else(|| format!("{} has no {precision} method", function.name));
     };
-    if !(tolerance > 0.0 && tolerance.is_finite()) {
-        return Err(format!("a tolerance is a positive number, not {tolerance}"));
-    }
+    positive(tolerance)?;
     let bound = |m: &Method| bound_on_error(m);
     let cost = |m: &Method| {
         ledger
@@ -88,18 +151,27 @@ pub enum End {
 }
 
 /// Evaluates all rows of `input`. Errors of the output (a closed pipe among them) are handed back.
-pub fn evaluate(function: &Function, method: &Method, input: impl BufRead, output: impl Write) -> io::Result<End> {
+pub fn evaluate(
+    function: &Function,
+    evaluator: Evaluator,
+    input: impl BufRead,
+    output: impl Write,
+) -> io::Result<End> {
     let names: Vec<&str> = function.inputs.iter().map(|(name, _)| *name).collect();
-    let mut rows = Rows::new(input, &names, method.precision == Precision::F32);
+    let single = evaluator.precision() == Precision::F32;
+    let columns = open_to(function.name).map_or([names.len(), 0], |open| open.columns);
+    let mut rows = Rows::open(input, &names, columns, single);
     let mut output = io::LineWriter::new(output);
     let mut row = Vec::with_capacity(names.len());
     let end = loop {
         match rows.next(&mut row, function.refuse)? {
-            Next::Row => {
-                let results = method.call.evaluate(&row);
-                let words: Vec<String> = results.iter().map(|x| format!("{x:.16e}")).collect();
-                writeln!(output, "{}", words.join(" "))?;
-            }
+            Next::Row => match evaluator.evaluate(&row) {
+                Ok(results) => {
+                    let words: Vec<String> = results.iter().map(|x| format!("{x:.16e}")).collect();
+                    writeln!(output, "{}", words.join(" "))?;
+                }
+                Err(reason) => break End::Refused(rows.bad(None, reason).to_string()),
+            },
             Next::End => break End::Complete,
             Next::Bad(refusal) => break End::Refused(refusal.to_string()),
         }
@@ -130,6 +202,13 @@ pub fn list() -> String {
             text.push_str(&format!(
                 "  scale:   {scale}; peak errors and tolerances are multiples of it\n"
             ));
+        }
+        if let Some(open) = open_to(f.name) {
+            text.push_str("  tolerance: any; a bound on the relative error, kept by as much work as a row needs\n");
+            let [least, step] = open.columns;
+            if step > 0 {
+                text.push_str(&format!("  rows:    {least} columns, and {step} more for each further vertex\n"));
+            }
         }
         text.push_str(&format!(
             "  inputs:  {}\n  results: {}\n  methods:\n",

@@ -49,7 +49,8 @@ enum Command {
         #[arg(long)]
         method: Option<String>,
         /// Picks the cheapest own method in this precision that promises |error| <= T max(1, |result|), or T max(scale,
-        /// |result|) for a function with a scale that has a unit, as `report list` says.
+        /// |result|) for a function with a scale that has a unit, as `report list` says. A function whose tolerance is any
+        /// keeps |error| <= T |result| row by row.
         #[arg(long, value_name = "T", conflicts_with = "method", allow_negative_numbers = true)]
         tolerance: Option<f64>,
     },
@@ -121,22 +122,28 @@ fn evaluate(request: &eval::Request) -> ExitCode {
         None => String::new(),
     };
     let entries = ledger::read(&entries).unwrap_or_default();
-    let (function, method) = match eval::choose(request, &entries) {
+    let (function, evaluator) = match eval::choose_evaluator(request, &entries) {
         Ok(found) => found,
         Err(reason) => {
             eprintln!("report eval: {reason}");
             return ExitCode::from(2);
         }
     };
-    if request.tolerance.is_some() {
-        let scale = promise::unit(method.function).map_or(String::new(), |words| format!(", the scale {words}"));
-        eprintln!(
-            "report eval: method {} promises {}{scale}",
-            method.method,
-            budget_text::budget_text(method.budget)
-        );
+    match evaluator {
+        eval::Evaluator::Within(open, tolerance) => {
+            eprintln!("report eval: {} with a relative error of at most {tolerance:e}", open.function);
+        }
+        eval::Evaluator::Method(method) if request.tolerance.is_some() => {
+            let scale = promise::unit(method.function).map_or(String::new(), |words| format!(", the scale {words}"));
+            eprintln!(
+                "report eval: method {} promises {}{scale}",
+                method.method,
+                budget_text::budget_text(method.budget)
+            );
+        }
+        eval::Evaluator::Method(_) => {}
     }
-    match eval::evaluate(function, method, io::stdin().lock(), io::stdout().lock()) {
+    match eval::evaluate(function, evaluator, io::stdin().lock(), io::stdout().lock()) {
         Ok(eval::End::Complete) => ExitCode::SUCCESS,
         Ok(eval::End::Refused(reason)) => {
             eprintln!("report eval: {reason}");

@@ -38,10 +38,11 @@ pub enum Next {
     Bad(Refusal),
 }
 
-/// Reads rows of a fixed number of columns.
+/// Reads rows of a fixed number of columns, or of a least number and some more at a time.
 pub struct Rows<R> {
     input: R,
-    columns: usize,
+    least: usize,
+    step: usize,
     names: String,
     line: u64,
     bytes: Vec<u8>,
@@ -51,10 +52,21 @@ pub struct Rows<R> {
 impl<R: BufRead> Rows<R> {
     /// A reader of rows with the named columns; `single` also refuses what binary32 cannot hold.
     pub fn new(input: R, names: &[&str], single: bool) -> Self {
+        Self::open(input, names, [names.len(), 0], single)
+    }
+
+    /// A reader of rows of at least so many columns, and so many more at a time (0: no more); the names are those of the
+    /// first ones.
+    pub fn open(input: R, names: &[&str], [least, step]: [usize; 2], single: bool) -> Self {
+        let mut shown = names[..least.min(names.len())].join(" ");
+        if step > 0 {
+            shown.push_str(" ...");
+        }
         Self {
             input,
-            columns: names.len(),
-            names: names.join(" "),
+            least,
+            step,
+            names: shown,
             line: 0,
             bytes: Vec::new(),
             single,
@@ -77,7 +89,7 @@ impl<R: BufRead> Rows<R> {
             }
             self.line += 1;
             if count > LONGEST_LINE && self.bytes.last() != Some(&b'\n') {
-                return Ok(self.bad(None, format!("the line is longer than {LONGEST_LINE} bytes")));
+                return Ok(Next::Bad(self.bad(None, format!("the line is longer than {LONGEST_LINE} bytes"))));
             }
             let mut bytes = self.bytes.as_slice();
             if self.line == 1 {
@@ -85,7 +97,7 @@ impl<R: BufRead> Rows<R> {
             }
             let end = bytes.iter().position(|&b| b == b'#').unwrap_or(bytes.len());
             let Ok(text) = std::str::from_utf8(&bytes[..end]) else {
-                return Ok(self.bad(None, "the line is not UTF-8 text".to_string()));
+                return Ok(Next::Bad(self.bad(None, "the line is not UTF-8 text".to_string())));
             };
             let text = text.trim_matches(|c: char| c.is_ascii_whitespace());
             if text.is_empty() {
@@ -93,24 +105,25 @@ impl<R: BufRead> Rows<R> {
             }
             row.clear();
             if let Err((column, reason)) = self.numbers(text, row) {
-                return Ok(self.bad(column, reason));
+                return Ok(Next::Bad(self.bad(column, reason)));
             }
             if self.single {
                 row.iter_mut().for_each(|x| *x = f64::from(*x as f32));
             }
             return Ok(match refuse(row) {
                 None => Next::Row,
-                Some((column, reason)) => self.bad(Some(column + 1), reason.to_string()),
+                Some((column, reason)) => Next::Bad(self.bad(Some(column + 1), reason.to_string())),
             });
         }
     }
 
-    fn bad(&self, column: Option<usize>, reason: String) -> Next {
-        Next::Bad(Refusal {
+    /// The refusal of the line read last.
+    pub fn bad(&self, column: Option<usize>, reason: String) -> Refusal {
+        Refusal {
             line: self.line,
             column,
             reason,
-        })
+        }
     }
 
     fn numbers(&self, text: &str, row: &mut Vec<f64>) -> Result<(), (Option<usize>, String)> {
@@ -120,7 +133,7 @@ impl<R: BufRead> Rows<R> {
                 return Err((Some(row.len() + 1), "the column is empty".to_string()));
             }
             for word in field.split_ascii_whitespace() {
-                if row.len() < self.columns {
+                if row.len() < self.least || self.step > 0 {
                     let value = number(word, self.single).map_err(|reason| (Some(row.len() + 1), reason))?;
                     row.push(value);
                 } else {
@@ -131,7 +144,11 @@ impl<R: BufRead> Rows<R> {
                 }
             }
         }
-        if row.len() == self.columns {
+        let fits = match self.step {
+            0 => row.len() == self.least,
+            step => row.len() >= self.least && (row.len() - self.least).is_multiple_of(step),
+        };
+        if fits {
             Ok(())
         } else {
             Err((None, self.count(row.len())))
@@ -139,10 +156,14 @@ impl<R: BufRead> Rows<R> {
     }
 
     fn count(&self, found: usize) -> String {
-        let plural = if self.columns == 1 { "" } else { "s" };
+        let plural = if self.least == 1 { "" } else { "s" };
+        let more = match self.step {
+            0 => String::new(),
+            step => format!(" or {step} more at a time"),
+        };
         format!(
-            "{} column{plural} expected ({}), {found} found",
-            self.columns, self.names
+            "{} column{plural}{more} expected ({}), {found} found",
+            self.least, self.names
         )
     }
 }
@@ -237,6 +258,23 @@ mod tests {
                 (line, column, reason),
                 "{text}"
             );
+        }
+    }
+
+    #[test]
+    fn an_open_row_has_a_least_length_and_grows_in_steps() {
+        let read = |text: &str| {
+            let mut rows = Rows::open(text.as_bytes(), &["a", "b", "c"], [2, 3], false);
+            let mut row = Vec::new();
+            match rows.next(&mut row, |_| None).expect("reading from memory") {
+                Next::Bad(refusal) => Err(refusal.reason),
+                _ => Ok(row.len()),
+            }
+        };
+        assert_eq!((read("1 2"), read("1 2 3 4 5"), read("1,2,3,4,5,6,7,8")), (Ok(2), Ok(5), Ok(8)));
+        for wrong in ["1", "1 2 3", "1 2 3 4", "1 2 3 4 5 6"] {
+            let reason = read(wrong).expect_err(wrong);
+            assert!(reason.starts_with("2 columns or 3 more at a time expected (a b ...), "), "{reason}");
         }
     }
 

@@ -7,6 +7,7 @@ mod error_function;
 mod faddeeva;
 mod footprint;
 mod functions;
+pub mod lights;
 mod own;
 mod peer;
 mod scratch_functions;
@@ -202,7 +203,8 @@ pub fn functions() -> &'static [Function] {
     static ALL: LazyLock<Vec<Function>> = LazyLock::new(|| {
         let (special, scratches) = (functions::FUNCTIONS, scratch_functions::FUNCTIONS);
         let surfaces = surface_functions::FUNCTIONS;
-        special.into_iter().chain(scratches).chain(surfaces).collect()
+        let all = special.into_iter().chain(scratches).chain(surfaces);
+        all.chain(lights::FUNCTIONS).collect()
     });
     &ALL
 }
@@ -225,6 +227,7 @@ pub fn methods() -> &'static [Method] {
             scratches::methods(),
             footprint::methods(),
             surfaces::methods(),
+            lights::methods(),
         ];
         parts.into_iter().flatten().collect()
     });

@@ -4,9 +4,11 @@
 //! WVJH17: Werner, Velinov, Jakob, Hullin, Scratch Iridescence: Wave-Optical Rendering of Diffractive Surface Structure, 2017.
 
 pub mod footprint;
+pub mod lights;
 pub mod scratches;
 pub mod special;
 
 pub use footprint::*;
+pub use lights::*;
 pub use scratches::*;
 pub use special::*;

@@ -7,6 +7,7 @@ pub mod arcs;
 pub mod complex_points;
 pub mod erf_differences;
 pub mod footprints;
+pub mod lights;
 pub mod points;
 pub mod random;
 pub mod scratches;
@@ -96,6 +97,12 @@ pub fn all() -> &'static [Generator] {
         surfaces::CONE,
         surfaces::GAUSSIAN_U,
         surfaces::GAUSSIAN_U_F32,
+        lights::SPHERE,
+        lights::SPHERE_F32,
+        lights::QUAD,
+        lights::QUAD_F32,
+        lights::QUAD_CHORD,
+        lights::QUAD_CHORD_F32,
     ]
 }
 

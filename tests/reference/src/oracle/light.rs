@@ -155,3 +155,19 @@ pub fn sphere_light(row: &[f64]) -> LightValue {
 pub fn polygon_light(row: &[f64]) -> LightValue {
     polygon_light_by(row, &ACCURATE)
 }
+
+/// The chord of a sphere's light on the line xi1 = 0 times the Gaussian's integral, of the row of [`sphere_light`].
+pub fn sphere_light_chord(row: &[f64]) -> f64 {
+    let (centre, radius) = sphere_of(row);
+    match (Scratch::new(row), Cone::new(centre, radius)) {
+        (Some(scratch), Some(light)) => adaptive::chord(&light, &scratch),
+        _ => f64::NAN,
+    }
+}
+
+/// The chords of a polygon's light on the line xi1 = 0 times the Gaussian's integral, of the row of [`polygon_light`].
+pub fn polygon_light_chord(row: &[f64]) -> f64 {
+    let vertices = vertices_of(row);
+    let light = Scratch::new(row).and_then(|scratch| Some((scratch, Polygon::new(&vertices)?)));
+    light.map_or(f64::NAN, |(scratch, light)| adaptive::chord(&light, &scratch))
+}
