@@ -3,8 +3,8 @@
 //! A scratch or a thin film has a colour because light waves meet themselves. The papers that render this leave a few
 //! special functions and integrals to evaluate; here they are, in f64 to the last digits and in f32 for shaders, each
 //! with an error bound that a test holds. On them stand the scratch models: [`diffraction`] gives the reflectance of a
-//! scratched surface, coherent or not, near or far, with the rules that say how much of it a scene needs, and [`sampling`]
-//! draws from its lobes.
+//! scratched surface, coherent or not, near or far, with the rules that say how much of it a scene needs, [`light`]
+//! integrates it over spheres and polygons, and [`sampling`] draws from its lobes.
 //!
 //! Every method of the sine integral, error against time, the peers among them:
 //!
@@ -31,11 +31,13 @@
 //! | module | what it holds | precision | feature |
 //! |---|---|---|---|
 //! | [`diffraction`] | scratches: profiles, spatial phase, coherence, footprint, area density, reflectance, predictors | f64 | |
+//! | [`geometry`] | cones and polygons as a surface sees them: outlines, chords, crossings | f64 | |
+//! | [`light`] | area lights over a scratch and over the base: spheres, polygons, form factors | f64 | |
 //! | [`sampling`] | the lobes of a scratched surface: densities, samples and weights | f64 | |
 //! | [`special`] | sinc, the sine integral, the arc of sinc squared; the Faddeeva function, erf, the scaled erf difference; Bessel I0 | f64 | |
 #![cfg_attr(
     feature = "shader",
-    doc = "| [`shader`] | `special`, `diffraction` and `sampling` in f32, in cheaper tiers as well, with their WGSL, GLSL and HLSL text | f32 | `shader` |"
+    doc = "| [`shader`] | `special`, `diffraction`, `light` and `sampling` in f32, in cheaper tiers as well, with their WGSL, GLSL and HLSL text | f32 | `shader` |"
 )]
 #![cfg_attr(
     feature = "simd",

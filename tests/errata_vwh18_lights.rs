@@ -367,7 +367,8 @@ fn equation_36_is_right_and_its_arc_cosine_loses_short_edges_in_f32() {
     assert!((ours / truth - 1.0).abs() < 1e-7, "{ours} {truth}");
 }
 
-/// Two edges that meet on the line, as neighbours of a polygon: the slopes of Eq. 41 there, and crossings as ours has them.
+/// Two edges that meet on the line, as neighbours of a polygon: the slopes of Eq. 41 there, and crossings as ours has
+/// them.
 fn meeting(before: Vector, vertex: Vector, after: Vector, hat: bool) -> ([f64; 2], usize) {
     let (first, second) = (EdgeArc::vwh18_36(before, vertex), EdgeArc::vwh18_36(vertex, after));
     let (sine, cosine) = first.last.sin_cos();
@@ -407,8 +408,8 @@ fn equation_41_needs_the_unit_vector_and_cannot_tell_a_crossing_from_a_touch() {
     assert!((0.6..0.72).contains(&share), "{off} of {count}");
     assert!(mended < 1e-8, "{mended}");
 
-    // One vertex on the line x = 0, overhead. The second edge goes on to the other side, or back on the same line to the
-    // first one's side: the slopes are the same, once it is one crossing and once none.
+    // One vertex on the line x = 0, overhead. The second edge goes on to the other side, or back on the same line to
+    // the first one's side: the slopes are the same, once it is one crossing and once none.
     let (vertex, before) = ([0.0, 0.0, 1.0], [-0.3, -0.1, 1.0]);
     for (slope_x, slope_y) in [(0.2, 0.3), (0.2, -0.3), (0.2, 0.01)] {
         let (on, back) = ([slope_x, slope_y, 1.0], [-slope_x, -slope_y, 1.0]);
@@ -450,7 +451,8 @@ fn sphere_row(random: &mut Random) -> Vec<f64> {
     row
 }
 
-/// A row of a planar convex polygon of 3 to 6 vertices, 0.1 to 60 degrees in radius, tilted against the direction to it.
+/// A row of a planar convex polygon of 3 to 6 vertices, 0.1 to 60 degrees in radius, tilted against the direction to
+/// it.
 fn polygon_row(random: &mut Random) -> Vec<f64> {
     let (mut row, toward) = aimed(random);
     let distance = random.log_uniform(0.5, 20.0);
@@ -470,8 +472,8 @@ fn polygon_row(random: &mut Random) -> Vec<f64> {
 /// A row and the light it gives.
 type Scene = (Vec<f64>, f64);
 
-/// Shares of scenes: off by more than 1 %, by more than 10 %, exactly 0, negative; and the sum of errors over the sum of
-/// values.
+/// Shares of scenes: off by more than 1 %, by more than 10 %, exactly 0, negative; and the sum of errors over the sum
+/// of values.
 #[derive(Clone, Copy, Debug, Default)]
 struct Faults {
     shares: [f64; 4],
@@ -582,8 +584,8 @@ fn the_method_fails_this_often_as_printed_and_mended_step_by_step() {
     }
 }
 
-/// What the test above measured: shares over 1 %, over 10 %, 0 and negative, and the weighted error, for as printed, roots,
-/// exact Si, tangent cone, and the crate's published form.
+/// What the test above measured: shares over 1 %, over 10 %, 0 and negative, and the weighted error, for as printed,
+/// roots, exact Si, tangent cone, and the crate's published form.
 const MEASURED: [[[f64; 5]; 5]; 2] = [
     [
         [0.9976, 0.9828, 0.1440, 0.0824, 0.90774],

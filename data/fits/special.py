@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fits the f64 tables of src/special: cells of Si and H, and the auxiliary tail.
+"""Fits the f64 tables of src/special: cells of Si, H and Cin, and the auxiliary tail.
 
     python3 data/fits/special.py            writes src/special/tables.rs, src/numeric/tables.rs and their rows in fits.csv
     python3 data/fits/special.py --check    exits 1 when a committed file or row differs
@@ -11,6 +11,8 @@ c = 3 i / 8, i = 0..127, for |x - c| <= 3/16: interpolation of degree 9 at
 Chebyshev points, which is within a small factor of minimax. Rows below
 LINEAR_ROWS hold the difference to the leading line (x, or y/2), so that small
 arguments keep their relative accuracy; row 0 is fitted as an odd polynomial.
+
+Cin(x) = int_0^x (1 - cos t)/t dt is even; its cells hold Cin(x)/x, which is odd.
 
 Tail. With f and g the auxiliary functions of Si (DLMF 6.2.17, 6.2.18) and
 y = 1/x^2, the polynomials A(y) = (1 - x f)/y and B(y) = (1 - x^2 g)/y on
@@ -25,7 +27,7 @@ import pathlib
 
 import provenance
 
-from mpmath import ci, cos, mp, mpf, pi, si, sin
+from mpmath import ci, cos, euler, log, mp, mpf, pi, si, sin
 
 mp.dps = 60
 ROWS = 128
@@ -42,6 +44,11 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2] / "src"
 
 def sine_integral(x):
     return si(x)
+
+
+def cosine_integral_quotient(x):
+    """Cin(x)/x."""
+    return (euler + log(x) - ci(x)) / x if x else mpf(0)
 
 
 def one_minus_cosine_integral(y):
@@ -206,9 +213,10 @@ def words_of_inverse_pi():
 def special_text():
     si_columns, si_error = cells(sine_integral, mpf(1))
     h_columns, h_error = cells(one_minus_cosine_integral, mpf(1) / 2)
+    cin_columns, cin_error = cells(cosine_integral_quotient, mpf(1) / 4)
     (a, a_error), (b, b_error) = tail()
     out = "// Written by data/fits/special.py; do not edit.\n"
-    out += "//! Tables of the f64 special functions: cells of Si and H, and their tail.\n\n"
+    out += "//! Tables of the f64 special functions: cells of Si, H and Cin, and their tail.\n\n"
     out += "/// Rows of a cell table.\npub(super) const ROWS: usize = 128;\n\n"
     out += "/// A function about the centres c of its cells: `base` plus powers 0 to 9 of the distance from c.\n"
     out += "pub(super) struct Cells {\n    pub(super) base: [f64; ROWS],\n    pub(super) coefficients: [[f64; ROWS]; 10],\n}\n\n"
@@ -218,6 +226,7 @@ def special_text():
     out += f"/// The least argument for which the tail's polynomials are fitted.\npub(super) const TAIL_LOW: f64 = {float(TAIL_LOW)!r};\n\n"
     out += table("SI", si_columns, f"Si(x); fit error {mp.nstr(si_error, 2)} absolute.")
     out += table("H", h_columns, f"H(y); fit error {mp.nstr(h_error, 2)} absolute.")
+    out += table("CIN", cin_columns, f"Cin(x)/x; fit error {mp.nstr(cin_error, 2)} absolute.")
     out += column("TAIL_F", a, f"(1 - x f(x)) x^2 in powers of 1/x^2; fit error {mp.nstr(a_error, 2)} absolute.")
     out += column("TAIL_G", b, f"(1 - x^2 g(x)) x^2 in powers of 1/x^2; fit error {mp.nstr(b_error, 2)} absolute.")
     return out.rstrip("\n") + "\n"

@@ -50,21 +50,23 @@ impl Arc {
     #[inline]
     pub fn monotone_pieces(&self, mut visit: impl FnMut([[f64; 2]; 2])) {
         let (mut from, to) = (self.from, self.to);
-        // An arc that ends before it begins, but for rounding, has no length.
-        if !self.reflex && from[0] * to[1] - from[1] * to[0] <= 0.0 && from[0] * to[0] + from[1] * to[1] > 0.0 {
-            return;
-        }
         // On the first half turn x falls, on the second it grows.
         let mut falling = from[1] > 0.0 || from[1] == 0.0 && from[0] > 0.0;
         let end_falling = to[1] > 0.0 || to[1] == 0.0 && to[0] < 0.0;
-        let mut first = self.reflex;
+        // An arc that ends before it begins, but for rounding, has no length: by the angle between, or by x.
+        let back = falling == end_falling && if falling { to[0] > from[0] } else { to[0] < from[0] };
+        if !self.reflex && (back || from[0] * to[1] - from[1] * to[0] <= 0.0) && from[0] * to[0] + from[1] * to[1] > 0.0
+        {
+            return;
+        }
+        let mut ends = !self.reflex && !back;
         for _ in 0..3 {
-            let ahead = if falling { to[0] <= from[0] } else { to[0] >= from[0] };
-            if falling == end_falling && ahead && !first {
+            if falling == end_falling && ends {
                 visit([from, to]);
                 return;
             }
-            first = false;
+            // Behind a turn the end is ahead, whatever its cosine is rounded to.
+            ends = true;
             let turn = TURNS[usize::from(falling)];
             visit([from, turn]);
             from = turn;

@@ -176,21 +176,24 @@ pub fn polygon_crossings(vertices: &[[f64; 3]], x: f64, mut visit: impl FnMut(Cr
         let w = near_one(edge.normal);
         let tilt_squared = w[1] * w[1] + w[2] * w[2];
         let discriminant = tilt_squared * rest - (x * w[0]) * (x * w[0]);
+        // The motion in x at the ends.
+        let [start, end] = [edge.from, edge.to].map(|p| w[1] * p[2] - w[2] * p[1]);
         let (up, down) = if first != last {
             (last, first)
         } else {
-            // The motion in x at the ends: towards the line at the first, away from it at the second.
+            // Towards the line at the first, away from it at the second.
             let side = if first { -1.0 } else { 1.0 };
-            let motion = |p: [f64; 3]| side * (w[1] * p[2] - w[2] * p[1]);
-            let twice = discriminant > 0.0 && motion(edge.from) > 0.0 && motion(edge.to) < 0.0;
+            let twice = discriminant > 0.0 && side * start > 0.0 && side * end < 0.0;
             (twice, twice)
         };
         if !(up || down) {
             return;
         }
+        // Ends that rounding alone puts on two sides, and their arc crosses the wrong way: it has no root to offer.
+        let against = first != last && start * end > 0.0 && (start > 0.0) != last;
         let root = libm::sqrt(discriminant.max(0.0));
         let at = |sign: f64| {
-            if tilt_squared > 0.0 {
+            if tilt_squared > 0.0 && !against {
                 (sign * (w[2] * root) - x * w[0] * w[1]) / tilt_squared
             } else {
                 edge.from[1] / length(edge.from)

@@ -13,6 +13,7 @@
 //! - the Gauss rule of 2 to 8 nodes;
 //! - else, and where exactness is asked for, every node of a composite Gauss-Legendre rule.
 
+use super::depth::Depth;
 use super::gauss_rule::{self, Measure};
 use super::scratch_lobe::Scales;
 use super::wave::{Derivatives, Wave};
@@ -64,6 +65,8 @@ const EXACT_PANEL: f64 = 4.0;
 const PANEL: f64 = 7.0;
 /// Below, a tolerance asks for the exact rule.
 const SMALLEST_TOLERANCE: f64 = 1e-6;
+/// Share of a piece that rounding takes; of pieces that cancel, as of a sliver's sides, it is more than the tolerance.
+const ROUNDING: f64 = 1e-13;
 /// Most panels of a piece: enough for scratches of 10 mm.
 const MOST_PANELS: f64 = 65536.0;
 /// Most pieces that the adaptive rule keeps; an outline with more in the band is integrated exactly.
@@ -149,7 +152,8 @@ impl Band {
     /// The band of a light with this outline, down to `reach` nepers below its brightest part; none for an empty outline.
     fn of(scales: Scales, reach: f64, outline: &impl Fn(&mut dyn FnMut(&Arc))) -> Option<Band> {
         let mut extent = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
-        let (mut sum, mut count) = (0.0, 0.0);
+        // The mean y where the outline is nearest to the middle of the band: chords that begin there have no long differences.
+        let (mut near, mut sum, mut count) = (f64::INFINITY, 0.0, 0.0);
         let mut widen = |coordinate: usize, x: f64| {
             let [low, high] = &mut extent[coordinate];
             (*low, *high) = (low.min(x), high.max(x));
@@ -160,11 +164,27 @@ impl Band {
             arc.monotone_pieces(|[from, to]| {
                 // An arc leaves its chord by at most the swing times 1 - cos of half the angle.
                 let cosine = libm::sqrt((0.5 + 0.5 * (from[0] * to[0] + from[1] * to[1])).clamp(0.0, 1.0));
-                for end in [from, to] {
+                let offsets = [from, to].map(|end| {
                     let [x, y] = arc.point(end);
                     widen(0, x);
                     widen(1, y + swing * (1.0 - cosine));
                     widen(1, y - swing * (1.0 - cosine));
+                    (x + scales.view[0], y)
+                });
+                let [(first, _), (last, _)] = offsets;
+                let (distance, y) = if first * last < 0.0 {
+                    let cosine = (-(arc.centre[0] + scales.view[0]) / arc.reach).clamp(-1.0, 1.0);
+                    let sine = libm::sqrt((1.0 - cosine) * (1.0 + cosine));
+                    (0.0, arc.point([cosine, if last < first { sine } else { -sine }])[1])
+                } else if first.abs() <= last.abs() {
+                    (first.abs(), offsets[0].1)
+                } else {
+                    (last.abs(), offsets[1].1)
+                };
+                if distance < near {
+                    (near, sum, count) = (distance, 0.0, 0.0);
+                }
+                if distance == near {
                     sum += y;
                     count += 1.0;
                 }
@@ -299,7 +319,7 @@ impl Band {
         });
         let found = LightIntegral {
             value,
-            error: 1e-13 * size,
+            error: ROUNDING * size,
             chords: 0.5 * nodes,
         };
         found.times(self.factor())
@@ -399,7 +419,7 @@ impl Band {
             let parts = kept.iter().flatten();
             parts.fold(LightIntegral::NOTHING, |sum, (_, part)| LightIntegral {
                 value: sum.value + part.value,
-                error: sum.error + part.error,
+                error: sum.error + (part.error + ROUNDING * part.value.abs()),
                 chords: sum.chords + part.chords,
             })
         };
@@ -418,6 +438,30 @@ impl Band {
         }
         (found.error <= (1.0 - BEYOND) * tolerance * found.value.abs()).then_some(found)
     }
+}
+
+/// The exact integral over a light with the depth term inside, of the sign of its orientation.
+pub(super) fn exact_with_depth(scales: Scales, depth: Depth, outline: impl Fn(&mut dyn FnMut(&Arc))) -> f64 {
+    let Some(band) = Band::of(scales, EXACT_REACH, &outline) else {
+        return 0.0;
+    };
+    let reference = band.reference / scales.across - scales.view[1];
+    let mut sum = 0.0;
+    outline(&mut |arc| {
+        band.pieces(arc, |piece| {
+            let [gauss, lobe] = band.extent(&piece);
+            let panels =
+                libm::ceil((gauss + lobe * (1.0 + depth.share(&scales))) / EXACT_PANEL).clamp(1.0, MOST_PANELS);
+            sum += band.composite(&piece, panels, |[cosine, sine]| {
+                let x = piece.centre[0] + piece.reach * cosine;
+                let y = piece.centre[1] + (piece.across[0] * cosine + piece.across[1] * sine);
+                // Any function of x closes along the outline: chords count from the reference, or from the disc's edge.
+                let edge = libm::sqrt(((1.0 - x) * (1.0 + x)).max(0.0));
+                depth.chord(&scales, x, [reference.clamp(-edge, edge), y])
+            });
+        });
+    });
+    sum * band.factor()
 }
 
 /// The exact integral over a light, of the sign of its orientation.

@@ -1,10 +1,50 @@
-//! Polygonal lights.
+//! The light of a polygon over the lobe of a scratch.
+//!
+//! # Definition
+//!
+//! The integral of [`sphere`](mod@super::sphere) over the directions of a polygon's points above the horizon.
+//!
+//! # Domain
+//!
+//! Any simple polygon, convex or not, either way round, of any number of vertices, in any unit of length; 0 for fewer than
+//! three, below the horizon, or seen edge on. NaN where a vertex is the shaded point or not finite, and as for the sphere.
+//!
+//! # Methods
+//!
+//! The contour integral of the sphere, along great circles and, where the polygon goes below it, the horizon. Edges are
+//! taken as they come: no list, no order, no convexity.
+//!
+//! <!-- report:begin polygon_light -->
+//! <!-- report:end polygon_light -->
+//!
+//! # Where it fails
+//!
+//! A polygon that is not plane has no one answer where it crosses the horizon; one that crosses itself counts its parts
+//! with their orientation. Slivers keep digits in proportion to their width.
+//!
+//! # Errata
+//!
+//! See [`published`](mod@super::published) and [`polygon`](mod@crate::geometry::polygon).
 
 use super::outline_integral::{self, LightIntegral};
 use super::scratch_lobe::ScratchLobe;
 use crate::geometry::polygon_outline;
 
-/// Returns the integral of a scratch's lobe over the visible part of a polygon.
+/// Returns the integral of a scratch's lobe over the visible part of a polygon, dimensionless, at least 0.
+///
+/// Vertices relative to the shaded point, in the frame of the scratch: tangent, bitangent, normal. Relative error 1e-9 at
+/// most down to 1e-6 of [`ScratchLobe::whole_plane`]. NaN outside the domain. VWH18 Eqs. 24, 25.
+///
+/// ```
+/// use iridescence::diffraction::Coherence;
+/// use iridescence::light::{ScratchLobe, polygon_light};
+///
+/// let coherence = Coherence { radius: 60.0, wavelength: 0.55 };
+/// let lobe = ScratchLobe { coherence, width: 2.5, view: [0.0, 0.0] };
+/// let window = [[-1.0, -1.0, 2.0], [1.0, -1.0, 2.0], [1.0, 1.0, 2.0], [-1.0, 1.0, 2.0]];
+/// assert!(polygon_light(lobe, &window) > 0.8 * lobe.whole_plane());
+/// ```
+#[doc(alias = "area light")]
 #[must_use]
 pub fn polygon_light(lobe: ScratchLobe, vertices: &[[f64; 3]]) -> f64 {
     let directed = polygon_outline(vertices, |_| {});
@@ -17,7 +57,10 @@ pub fn polygon_light(lobe: ScratchLobe, vertices: &[[f64; 3]]) -> f64 {
     integral.value.abs()
 }
 
-/// Returns the integral of a scratch's lobe over the visible part of a polygon to a tolerance.
+/// Returns the integral of a scratch's lobe over the visible part of a polygon with a relative error of at most `tolerance`,
+/// and what it cost.
+///
+/// Vertices as for [`polygon_light`]. A tolerance below 1e-6 gives the exact rule, a negative one or NaN gives NaN.
 #[must_use]
 pub fn polygon_light_within(lobe: ScratchLobe, vertices: &[[f64; 3]], tolerance: f64) -> LightIntegral {
     let directed = polygon_outline(vertices, |_| {});

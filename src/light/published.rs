@@ -7,8 +7,8 @@
 //! \int_{q_0}^{q_1} \mathrm{sinc}^2 \frac{k W \xi_2}{2}\, d\xi_2
 //! ```
 //!
-//! VWH18 Eq. 27 with the fit of Eq. 29, over the chords of the light on the line on which the lobe is brightest. A sphere
-//! is the disc through its centre (Eq. 31), tan alpha = r/d; a polygon is itself above the horizon (Eq. 36).
+//! VWH18 Eq. 27 with the fit of Eq. 29, over the chords of the light on the line on which the lobe is brightest. A
+//! sphere is the disc through its centre (Eq. 31), tan alpha = r/d; a polygon is itself above the horizon (Eq. 36).
 //!
 //! # Domain
 //!
@@ -16,10 +16,10 @@
 //!
 //! # Methods
 //!
-//! As published, but for what is a misprint: the two roots of Eqs. 35 and 40 are two different quotients, sgn(0) is 1, and
-//! N of Eq. 27 has its limit 0 at q = 0. The chords come from [`cone_chords`] and [`polygon_crossings`], which find the roots
-//! that the paper means. A polygon's crossings go up and down in turn, so that no root is sorted: each counts with the
-//! sign of its direction, the highest one positive.
+//! As published, but for what is a misprint: the two roots of Eqs. 35 and 40 are two different quotients, sgn(0) is 1,
+//! and N of Eq. 27 has its limit 0 at q = 0. The chords come from [`cone_chords`] and [`polygon_crossings`], which find
+//! the roots that the paper means. A polygon's crossings go up and down in turn, so that no root is sorted: each counts
+//! with the sign of its direction, the highest one positive.
 //!
 //! # Where it fails
 //!
@@ -50,8 +50,8 @@ impl Scales {
 
 /// Returns the integral of a scratch's lobe over a sphere by the published method, dimensionless; negative for some.
 ///
-/// The sphere as for [`sphere_light`](super::sphere_light()), which is accurate; NaN where that is. It lacks the light's extent along
-/// the tangent, the tangent cone and an accurate Si. VWH18 Eqs. 27, 29 and 31 to 37.
+/// The sphere as for [`sphere_light`](super::sphere_light()), which is accurate; NaN where that is. It lacks the
+/// light's extent along the tangent, the tangent cone and an accurate Si. VWH18 Eqs. 27, 29 and 31 to 37.
 ///
 /// ```
 /// use iridescence::diffraction::Coherence;
@@ -84,8 +84,8 @@ pub fn sphere_light_vwh18(lobe: ScratchLobe, sphere: Sphere) -> f64 {
 
 /// Returns the integral of a scratch's lobe over a polygon by the published method, dimensionless; negative for some.
 ///
-/// The vertices as for [`polygon_light`](super::polygon_light()), which is accurate; NaN where that is. It lacks the light's extent
-/// along the tangent and an accurate Si. VWH18 Eqs. 27, 29 and 36 to 40.
+/// The vertices as for [`polygon_light`](super::polygon_light()), which is accurate; NaN where that is. It lacks the
+/// light's extent along the tangent and an accurate Si. VWH18 Eqs. 27, 29 and 36 to 40.
 #[must_use]
 pub fn polygon_light_vwh18(lobe: ScratchLobe, vertices: &[[f64; 3]]) -> f64 {
     let Some(scales) = lobe.scales() else {

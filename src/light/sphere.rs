@@ -1,4 +1,45 @@
-//! Spherical lights.
+//! The light of a sphere over the lobe of a scratch.
+//!
+//! # Definition
+//!
+//! ```math
+//! I = \iint_{\text{light}} e^{-(\sigma k \xi_1)^2}\,\mathrm{sinc}^2\frac{kW\xi_2}{2}\,d\xi_1\,d\xi_2
+//! ```
+//!
+//! over the projection of the sphere's visible part: the directions within its tangent cone and above the horizon, xi the sum of
+//! the projected directions of light and view. VWH18 Eqs. 24 and 25; its 3.4.1 takes one chord of a disc.
+//!
+//! # Domain
+//!
+//! Any sphere that does not contain the shaded point, in any unit of length; radius 0 gives 0, and so does a sphere below the
+//! horizon. Coherence radius, wavelength and width positive, in um; the view's projection no longer than 1. NaN elsewhere.
+//!
+//! # Methods
+//!
+//! Green's theorem makes a contour integral of it, with the arc of sinc squared as the antiderivative across the scratch:
+//!
+//! ```math
+//! I = -\frac{2}{kW} \oint e^{-(\sigma k \xi_1)^2}\,\Phi\!\left(\frac{kW\xi_2}{2}\right) d\xi_1
+//! ```
+//!
+//! The outline is made of arcs of circles, on which both coordinates are entire functions of the angle. So one rule covers
+//! lights over the band, inside it, at its edge and at the horizon: no kink at a vertex, no root at a silhouette.
+//! [`sphere_light`] sums it by Gauss-Legendre panels. [`sphere_light_within`] first asks the measure
+//! exp(-t^2) |dt| of each piece of outline in the band, without a value of Phi, for its own Gauss rule, and bounds
+//! the error of a rule by the derivatives that the spectrum of sinc^2 allows: one node with its curvature
+//! where that is enough, up to eight, else the panels.
+//!
+//! <!-- report:begin sphere_light -->
+//! <!-- report:end sphere_light -->
+//!
+//! # Where it fails
+//!
+//! Relative digits fade below 1e-12 of the whole plane's integral, and for slivers in proportion to eps over their width. A
+//! scratch wider than some 10 mm has more lobes than the panels resolve.
+//!
+//! # Errata
+//!
+//! See [`published`](mod@super::published) and [`cone`](mod@crate::geometry::cone).
 
 use super::outline_integral::{self, LightIntegral};
 use super::scratch_lobe::ScratchLobe;
@@ -13,7 +54,10 @@ pub struct Sphere {
     pub radius: f64,
 }
 
-/// Returns the integral of a scratch's lobe over the visible part of a sphere.
+/// Returns the integral of a scratch's lobe over the visible part of a sphere, dimensionless, at least 0.
+///
+/// Relative error 1e-9 at most down to 1e-6 of [`ScratchLobe::whole_plane`]. NaN outside the domain. VWH18 Eqs. 24, 25.
+#[doc(alias = "area light")]
 #[must_use]
 pub fn sphere_light(lobe: ScratchLobe, sphere: Sphere) -> f64 {
     let (Some(scales), Some(cone)) = (lobe.scales(), Cone::of_sphere(sphere.centre, sphere.radius)) else {
@@ -23,11 +67,18 @@ pub fn sphere_light(lobe: ScratchLobe, sphere: Sphere) -> f64 {
     integral.value.max(0.0)
 }
 
-/// Returns the integral of a scratch's lobe over the visible part of a sphere to a tolerance.
+/// Returns the integral of a scratch's lobe over the visible part of a sphere with a relative error of at most `tolerance`,
+/// and what it cost.
+///
+/// A tolerance below 1e-6 gives the exact rule, a negative one or NaN gives NaN.
 #[must_use]
 pub fn sphere_light_within(lobe: ScratchLobe, sphere: Sphere, tolerance: f64) -> LightIntegral {
     let (Some(scales), Some(cone)) = (lobe.scales(), Cone::of_sphere(sphere.centre, sphere.radius)) else {
         return LightIntegral::NAN;
     };
-    outline_integral::within(scales, tolerance, |visit| cone_outline(cone, visit))
+    let found = outline_integral::within(scales, tolerance, |visit| cone_outline(cone, visit));
+    LightIntegral {
+        value: if found.value < 0.0 { 0.0 } else { found.value },
+        ..found
+    }
 }

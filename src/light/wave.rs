@@ -2,7 +2,7 @@
 //!
 //! Phi is a superposition of waves exp(iwq) with 0 <= w <= 2, since the spectrum of sinc^2 is a triangle:
 //!
-//! |d^j Phi/dq^j| <= 2^j/(j (j + 1)), and about 2^j/(4 q^2) far out.
+//! |d^j Phi/dq^j| <= 2^j/(j (j + 1)), and far out about 2^j/(4 q^2), the first 1/q^2.
 //!
 //! Along an arc q is a constant plus a multiple of the cosine of an angle. With bounds of its slope and its bend, which
 //! alternate as bounds of all its derivatives, the formula of Faa di Bruno sums what each number j of factors contributes.
@@ -45,8 +45,14 @@ impl Wave {
     fn amplitude(&self, j: f64) -> f64 {
         let near = 1.0 / (j * (j + 1.0));
         let inverse = 1.0 / self.nearest;
-        let growth = 1.0 + 0.5 * j * inverse;
-        near.min(0.25 * (inverse * inverse) * (growth * growth))
+        // The first, sinc^2 itself, is no wave about 0 but one about its mean.
+        let far = if j == 1.0 {
+            0.5
+        } else {
+            let growth = 1.0 + 0.5 * j * inverse;
+            0.25 * (growth * growth)
+        };
+        near.min(far * (inverse * inverse))
     }
 }
 

@@ -8,7 +8,7 @@
 use super::elementary::{TWO_PI, exponential};
 use super::gpu::{abs, ceil, max, min, select, sqrt};
 use super::light::*;
-use super::sinc_squared_integral::{ARC_PI, arc_turns};
+use super::sinc_squared_integral::{ARC_PI, arc_of_extent};
 
 /// |sigma k xi_t| at the end of the band.
 pub(super) const BAND_END: f32 = 3.5;
@@ -36,7 +36,7 @@ pub(super) const BAND_WEIGHT_D: f32 = 0.101228535;
 pub(super) struct LightBand {
     /// sigma k.
     pub(super) along: f32,
-    /// Width over wavelength.
+    /// k W/2.
     pub(super) width: f32,
     /// The view's tangent component.
     pub(super) view_t: f32,
@@ -82,7 +82,7 @@ pub(super) fn light_band(
 ) -> LightBand {
     LightBand {
         along: TWO_PI * (radius / wavelength),
-        width: width / wavelength,
+        width: ARC_PI * (width / wavelength),
         view_t,
         view_b,
         reference: reference + view_b,
@@ -105,7 +105,8 @@ pub(super) fn light_band_node(band: LightBand, circle: LightCircle, middle: Ligh
     let s = middle.s * cosine + middle.c * sine;
     let t = band.along * ((circle.centre_t + band.view_t) + circle.reach * c);
     let b = (circle.centre_b + band.view_b) + (circle.across_cosine * c + circle.across_sine * s);
-    let phi = arc_turns(band.width, band.reference, b, abs(b - band.reference));
+    let way = b - band.reference;
+    let phi = arc_of_extent(band.width * band.reference, band.width * b, band.width * abs(way));
     ((circle.reach * s) * (inverse + inverse)) * (exponential(-(t * t)) * phi)
 }
 
@@ -159,8 +160,7 @@ pub(super) fn light_band_piece(band: LightBand, circle: LightCircle, start: Ligh
         swing,
         abs(circle.across_sine * middle.c - circle.across_cosine * middle.s) + swing * reach_v,
     );
-    let measure =
-        1.5 * ((band.along * circle.reach) * (steepest * angle)) + (0.5 * ARC_PI) * (band.width * (slope * angle));
+    let measure = 1.5 * ((band.along * circle.reach) * (steepest * angle)) + 0.5 * (band.width * (slope * angle));
     let panels = min(max(ceil(measure / BAND_PANEL_LIMIT), 1.0), 16.0);
     let panel = reach_v / panels;
     let mut sum = 0.0;

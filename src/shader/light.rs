@@ -7,7 +7,7 @@
 //! share one unit with the wavelength, positions may have another.
 
 use super::gpu::{abs, max, min, select, sqrt};
-use super::sinc_squared_integral::{ARC_PI, arc_turns};
+use super::sinc_squared_integral::{ARC_PI, arc_of_extent};
 
 /// 1/(2 sqrt(pi)).
 pub(super) const LIGHT_HALF_INVERSE_ROOT_PI: f32 = 0.2820948;
@@ -32,7 +32,7 @@ pub(super) struct LightLine {
     pub(super) rest: f32,
     /// The view's bitangent component.
     pub(super) view: f32,
-    /// Width over wavelength.
+    /// k W/2.
     pub(super) width: f32,
 }
 
@@ -64,7 +64,7 @@ pub(super) fn light_line(wavelength: f32, width: f32, view_t: f32, view_b: f32) 
         x: -view_t,
         rest: max((1.0 - view_t) * (1.0 + view_t), 0.0),
         view: view_b,
-        width: width / wavelength,
+        width: ARC_PI * (width / wavelength),
     }
 }
 
@@ -100,33 +100,50 @@ pub fn sphere_light_chord(
     let tangent = sqrt(max(square - sphere_radius * sphere_radius, 0.0));
     let per_square = 1.0 / square;
     let per_tilt = 1.0 / tilt;
-    // The distance of the line from the axis, and how far the cone reaches.
+    // The distance of the line from the axis, against how far the cone reaches.
     let p = cut.x - (tangent * per_square) * x;
-    let reach = (sphere_radius * per_square) * sqrt(tilt);
-    let discriminant = (reach - p) * (reach + p);
+    let sine = sphere_radius * per_square;
+    let discriminant = (sine * sine) * tilt - p * p;
     let root = sqrt(max(discriminant, 0.0) * square) * per_tilt;
     let level = tangent * per_square - (p * per_tilt) * x;
     let centre_b = y * level;
     let reach_b = z * root;
     let left_z = z * level + y * root;
     let right_z = z * level - y * root;
-    let edge = sqrt(cut.rest);
     let met = discriminant > 0.0;
-    // Without an end above the horizon the line is all inside the cone or all outside.
-    let both_below = left_z < 0.0 && right_z < 0.0;
-    let depth = level * tilt;
-    let inside = select(depth, depth + abs(y) * edge, met) < 0.0;
-    let above = left_z >= 0.0 && right_z >= 0.0 && met;
-    let left = select(-edge, min(max(centre_b - reach_b, -edge), edge), left_z >= 0.0 && met);
-    let right = select(edge, min(max(centre_b + reach_b, -edge), edge), right_z >= 0.0 && met);
-    let extent = select(abs(right - left), abs(reach_b + reach_b), above);
-    let mut value = arc_turns(cut.width, left + cut.view, right + cut.view, extent);
-    if above && reach_b < 0.0 {
-        // A light that goes down at both ends is the whole line less the gap.
-        value += arc_turns(cut.width, cut.view - edge, cut.view + edge, edge + edge);
+    let left_up = left_z >= 0.0 && met;
+    let right_up = right_z >= 0.0 && met;
+    let above = left_up && right_up;
+    let mut left = centre_b - reach_b;
+    let mut right = centre_b + reach_b;
+    let mut extent = abs(reach_b + reach_b);
+    let mut gap = 0.0;
+    let mut seen = true;
+    if !above || reach_b < 0.0 {
+        let edge = sqrt(cut.rest);
+        // Without an end above the horizon the line is all inside the cone or all outside.
+        let depth = level * tilt;
+        let inside = select(depth, depth + abs(y) * edge, met) < 0.0;
+        seen = left_up || right_up || inside;
+        left = select(-edge, min(max(left, -edge), edge), left_up);
+        right = select(edge, min(max(right, -edge), edge), right_up);
+        extent = select(abs(right - left), extent, above);
+        if above {
+            // A light that goes down at both ends is the whole line less the gap.
+            gap = arc_of_extent(
+                cut.width * (cut.view - edge),
+                cut.width * (cut.view + edge),
+                cut.width * (edge + edge),
+            );
+        }
     }
-    let seen = select(value, 0.0, (both_below || !met) && !inside);
-    light_scale(radius, wavelength, width) * max(seen, 0.0)
+    let arc = arc_of_extent(
+        cut.width * (left + cut.view),
+        cut.width * (right + cut.view),
+        cut.width * extent,
+    );
+    let value = select(0.0, gap + arc, seen);
+    light_scale(radius, wavelength, width) * max(value, 0.0)
 }
 
 /// Returns where an outline has met the line once more, at a direction of these two components: the chord it ends, or
@@ -144,7 +161,11 @@ pub(super) fn light_crossing(chords: LightChords, cut: LightLine, b: f32, n: f32
         let sum_n = abs(n + chords.begin_n);
         let by_normals = abs(n - chords.begin_n) * sum_n / sum_b;
         let extent = select(abs(b - chords.begin_b), by_normals, sum_n < sum_b);
-        let arc = arc_turns(cut.width, chords.begin_b + cut.view, b + cut.view, extent);
+        let arc = arc_of_extent(
+            cut.width * (chords.begin_b + cut.view),
+            cut.width * (b + cut.view),
+            cut.width * extent,
+        );
         next.sum = chords.sum + direction * arc;
         next.open = 1.0;
     }

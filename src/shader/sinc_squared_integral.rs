@@ -162,6 +162,17 @@ pub(super) fn arc_of_phases(ends: ArcEnds, extent: f32, near_rest: f32, far_rest
     )
 }
 
+/// Returns the integral of (sin t / t)^2 from q0 to q1 (radians), whose difference is known apart from them, to f32 grade;
+/// `extent` is its magnitude.
+#[inline(always)]
+pub(super) fn arc_of_extent(first: f32, last: f32, extent: f32) -> f32 {
+    let ends = arc_ends(first, last);
+    let near = reduce_half_turns(min(ends.near, ARC_PHASE_LIMIT));
+    let far = reduce_half_turns(min(ends.far, ARC_PHASE_LIMIT));
+    let value = arc_of_phases(ends, extent, near.rest, far.rest);
+    select(value, -value, last < first)
+}
+
 /// Returns the integral of (sin t / t)^2 from q0 to q1 (radians), to f32 grade.
 ///
 /// Never negative for q0 <= q1, antisymmetric in its bounds, even in their signs. The phase is exact to 1e-7 for
@@ -169,11 +180,7 @@ pub(super) fn arc_of_phases(ends: ArcEnds, extent: f32, near_rest: f32, far_rest
 #[inline(always)]
 #[must_use]
 pub fn sinc_squared_integral(first: f32, last: f32) -> f32 {
-    let ends = arc_ends(first, last);
-    let near = reduce_half_turns(min(ends.near, ARC_PHASE_LIMIT));
-    let far = reduce_half_turns(min(ends.far, ARC_PHASE_LIMIT));
-    let value = arc_of_phases(ends, ends.far - ends.near, near.rest, far.rest);
-    let signed = select(value, -value, last < first);
+    let signed = arc_of_extent(first, last, abs(abs(last) - abs(first)));
     select(signed, 0.0, first == last)
 }
 
@@ -192,10 +199,14 @@ pub(super) fn product_fraction(x: f32, y: f32) -> f32 {
     fraction - round(fraction)
 }
 
-/// Returns the integral of (sin t / t)^2 over t = pi (W/lambda) xi between two direction cosines whose difference is
-/// known apart from them, to f32 grade; `extent` is its magnitude.
+/// Returns the integral of (sin t / t)^2 over t = pi (W/lambda) xi between two direction cosines, to f32 grade.
+///
+/// `width` is W/lambda, from 0 to 256, dimensionless; `first` and `last` are direction cosines from -2 to 2. The phase
+/// is reduced in turns before it is rounded, so that wide scratches lose nothing. Wider scratches lose digits in
+/// proportion; a negative width has no meaning. VWH18 Eq. 27.
 #[inline(always)]
-pub(super) fn arc_turns(width: f32, first: f32, last: f32, extent: f32) -> f32 {
+#[must_use]
+pub fn sinc_squared_integral_turns(width: f32, first: f32, last: f32) -> f32 {
     let xi = arc_ends(first, last);
     let scale = ARC_PI * width;
     let ends = ArcEnds {
@@ -205,20 +216,9 @@ pub(super) fn arc_turns(width: f32, first: f32, last: f32, extent: f32) -> f32 {
     };
     let near_rest = ARC_PI * product_fraction(width, xi.near);
     let far_rest = ARC_PI * product_fraction(width, xi.far);
-    let value = arc_of_phases(ends, scale * extent, near_rest, far_rest);
+    let value = arc_of_phases(ends, scale * (xi.far - xi.near), near_rest, far_rest);
     let signed = select(value, -value, last < first);
-    select(signed, 0.0, extent == 0.0)
-}
-
-/// Returns the integral of (sin t / t)^2 over t = pi (W/lambda) xi between two direction cosines, to f32 grade.
-///
-/// `width` is W/lambda, from 0 to 256, dimensionless; `first` and `last` are direction cosines from -2 to 2. The phase
-/// is reduced in turns before it is rounded, so that wide scratches lose nothing. Wider scratches lose digits in
-/// proportion; a negative width has no meaning. VWH18 Eq. 27.
-#[inline(always)]
-#[must_use]
-pub fn sinc_squared_integral_turns(width: f32, first: f32, last: f32) -> f32 {
-    arc_turns(width, first, last, abs(abs(last) - abs(first)))
+    select(signed, 0.0, first == last)
 }
 
 /// Returns H(2q) for q below the border, to 1e-8.

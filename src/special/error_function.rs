@@ -27,7 +27,7 @@
 //!
 //! | method | what it is | precision | largest error | promise | time / baseline |
 //! |---|---|---|---|---|---|
-//! | `accurate` | iridescence f64 | f64 | 8.7 eps | 12 eps | 0.42 (errorfunctions) |
+//! | `accurate` | iridescence f64 | f64 | 8.7 eps | 12 eps | 0.45 (errorfunctions) |
 //! | `accurate` | the same on within 0.1 of the first 8 zeros of erf and their images in all quadrants, distance log-uniform from 1e-16 | f64 | 1.7 eps | 5 eps | not timed |
 //!
 //! <!-- report:end erf_complex -->
@@ -36,7 +36,7 @@
 //!
 //! | method | what it is | precision | largest error | promise | time / baseline |
 //! |---|---|---|---|---|---|
-//! | `accurate` | iridescence f64 | f64 | 4.5 eps | 8 eps | 0.41 (errorfunctions) |
+//! | `accurate` | iridescence f64 | f64 | 4.5 eps | 8 eps | 0.44 (errorfunctions) |
 //!
 //! <!-- report:end erfc_complex -->
 //!
@@ -44,7 +44,7 @@
 //!
 //! | method | what it is | precision | largest error | promise | time / baseline |
 //! |---|---|---|---|---|---|
-//! | `accurate` | iridescence f64 | f64 | 2.4 ulp | 3 ulp | 1.44 (errorfunctions) |
+//! | `accurate` | iridescence f64 | f64 | 2.4 ulp | 3 ulp | 1.49 (errorfunctions) |
 //!
 //! <!-- report:end erfcx -->
 //!

@@ -19,6 +19,7 @@
 pub mod bessel;
 mod bessel_tables;
 mod cells;
+mod cosine_integral;
 pub mod erf;
 pub mod erf_difference;
 mod erf_tables;
@@ -32,8 +33,8 @@ mod tables;
 
 #[cfg(feature = "simd")]
 pub(crate) use bessel::bessel_i0_scaled_block;
-#[doc(inline)]
 pub use bessel::{bessel_i0_scaled, bessel_i1_i0_ratio, log_bessel_i0};
+pub(crate) use cosine_integral::cosine_integral_entire;
 #[doc(inline)]
 pub use erf::erf;
 #[cfg(feature = "simd")]

@@ -41,6 +41,21 @@ pub const ACROSS: [f64; 2] = [0.0, 2.0];
 /// Relative distance from the pole xi2 = 2 D (gamma_i + gamma_o)/W.
 pub const FROM_POLE: [f64; 2] = [1e-16, 1.0];
 
+/// The methods of a sphere's light on its map, in the order of the columns.
+pub const LIGHT_METHODS: [&str; 4] = ["as_printed", "vwh18", "chord", "within_1e-3"];
+/// Angular radius of the light in degrees.
+pub const LIGHT_RADIUS: [f64; 2] = [0.03, 60.0];
+/// Distance of the light's edge from the line xi1 = 0 in standard deviations of the band; negative over the light.
+pub const EDGE: [f64; 2] = [-8.0, 4.0];
+/// Radius of coherence, wavelength and width of the scratch on the map of lights.
+pub const LIGHT_SCRATCH: [f64; 3] = [30.0, 0.55, 2.5];
+/// The tangent component of the view, and the bitangent cosine xi2 of the light's centre.
+const LIGHT_VIEW: [f64; 2] = [-0.2, 0.08];
+/// Elevation of the light on the two rows of the map: of its centre in degrees, or in its own radii.
+pub const HIGH: f64 = 60.0;
+/// In its own radii, of the second row.
+pub const LOW: f64 = 0.3;
+
 /// 16 + log10 of the error of a call as a multiple of the function's scale.
 fn score(function: &Function, call: &Call, row: &[f64]) -> f64 {
     let rounded: Vec<f64> = match call.precision() {
@@ -120,6 +135,45 @@ pub fn triangle() -> Result<Vec<Panel>, String> {
     Ok(measured.panels(&calls))
 }
 
+/// The row of a sphere's light: its angular radius, the distance of its edge from the line, its place in the sky.
+fn light_row(radius: f64, edge: f64, low: bool) -> Vec<f64> {
+    let [sigma, lambda, width] = LIGHT_SCRATCH;
+    let [view_t, xi2] = LIGHT_VIEW;
+    let alpha = radius.to_radians();
+    let deviation = lambda / (std::f64::consts::TAU * sigma * std::f64::consts::SQRT_2);
+    // The edge nearest to the line lies alpha from the centre; a small light has its centre on the line at most.
+    let from_line = (alpha + libm::asin(edge * deviation - view_t)).max(libm::asin(-view_t));
+    let (x, rest) = (libm::sin(from_line), libm::cos(from_line));
+    let elevation = if low { LOW * alpha } else { HIGH.to_radians() };
+    let y = rest * libm::cos(elevation);
+    let z = rest * libm::sin(elevation);
+    let view_b = (xi2 - y).max(-0.97);
+    vec![sigma, lambda, width, view_t, view_b, x, y, z, libm::sin(alpha)]
+}
+
+/// The map of a sphere's light: one column a method, high in the sky and at the horizon.
+pub fn light() -> Result<Vec<Panel>, String> {
+    let function = function("sphere_light").ok_or("the sphere is not registered")?;
+    let mut calls = Vec::new();
+    for window in 0..2 {
+        for (i, name) in LIGHT_METHODS.into_iter().enumerate() {
+            let found = scalar(function.name, name, Precision::F64);
+            calls.extend(found.map(|m| (window * LIGHT_METHODS.len() + i, m.call)));
+        }
+    }
+    let row = |panel: usize, [s, t]: [f64; 2]| {
+        let edge = EDGE[0] + t * (EDGE[1] - EDGE[0]);
+        light_row(logarithmic(LIGHT_RADIUS, s), edge, panel >= LIGHT_METHODS.len())
+    };
+    let measured = Measured {
+        score: |call: &Call, row: &[f64]| score(function, call, row),
+        row,
+        more: |_| Vec::<Place>::new(),
+        worthless: |_| SHIFT + libm::log10(0.01 * WORTHLESS),
+    };
+    Ok(measured.panels(&calls))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -170,5 +224,28 @@ mod tests {
         assert!(without > 10 && spoilt > 200, "{without} {spoilt}");
         assert!(beside(2) <= 1e-14, "{}", beside(2));
         assert!(beside(3) <= 1e-6, "{}", beside(3));
+    }
+
+    #[test]
+    fn the_published_light_fails_at_edges_and_away_from_the_mirror_and_ours_nowhere() {
+        let panels = light().expect("registered");
+        for window in 0..2 {
+            let of = |method: usize| window * LIGHT_METHODS.len() + method;
+            let gone = |method| {
+                panels
+                    .iter()
+                    .find(|p| p.number == of(method))
+                    .expect("measured")
+                    .hopeless
+            };
+            assert!(
+                gone(0) > 50.0 && gone(1) > 30.0 && gone(2) > 10.0,
+                "{} {} {}",
+                gone(0),
+                gone(1),
+                gone(2)
+            );
+            assert!(worst(&panels, of(3)) <= 1e-3, "{}", worst(&panels, of(3)));
+        }
     }
 }

@@ -151,12 +151,7 @@ pub enum End {
 }
 
 /// Evaluates all rows of `input`. Errors of the output (a closed pipe among them) are handed back.
-pub fn evaluate(
-    function: &Function,
-    evaluator: Evaluator,
-    input: impl BufRead,
-    output: impl Write,
-) -> io::Result<End> {
+pub fn evaluate(function: &Function, evaluator: Evaluator, input: impl BufRead, output: impl Write) -> io::Result<End> {
     let names: Vec<&str> = function.inputs.iter().map(|(name, _)| *name).collect();
     let single = evaluator.precision() == Precision::F32;
     let columns = open_to(function.name).map_or([names.len(), 0], |open| open.columns);
@@ -207,7 +202,9 @@ pub fn list() -> String {
             text.push_str("  tolerance: any; a bound on the relative error, kept by as much work as a row needs\n");
             let [least, step] = open.columns;
             if step > 0 {
-                text.push_str(&format!("  rows:    {least} columns, and {step} more for each further vertex\n"));
+                text.push_str(&format!(
+                    "  rows:    {least} columns, and {step} more for each further vertex\n"
+                ));
             }
         }
         text.push_str(&format!(

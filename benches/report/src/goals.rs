@@ -2,6 +2,7 @@
 //! measured comes from the ledger, the counts of exact properties from [`crate::exact`].
 
 mod diffraction;
+mod light;
 mod special;
 
 use crate::front::front;
@@ -58,7 +59,7 @@ impl<'a> Ledger<'a> {
 const SI: &str = "sine_integral";
 const ARC: &str = "sinc_squared_integral";
 /// Functions on whose fronts no peer may stand.
-const FRONTS: [&str; 10] = [
+const FRONTS: [&str; 12] = [
     SI,
     ARC,
     "faddeeva_w",
@@ -69,6 +70,8 @@ const FRONTS: [&str; 10] = [
     "profile_rectangle",
     "profile_triangle",
     "footprint_mean",
+    "sphere_light",
+    "polygon_light",
 ];
 use Precision::{F32, F64};
 
@@ -205,6 +208,7 @@ pub fn goals(entries: &[Entry]) -> Vec<Goal> {
     all.extend(arc(&ledger));
     all.extend(special::goals(&ledger));
     all.extend(diffraction::goals(&ledger));
+    all.extend(light::goals(&ledger));
     for function in FRONTS {
         for (scalar_only, asked) in [
             (false, "no peer on the front"),

@@ -17,6 +17,7 @@ pub mod goals;
 pub mod hex_float;
 pub mod integrals;
 pub mod ledger;
+pub mod light_figures;
 pub mod map_grid;
 pub mod measured;
 pub mod names;

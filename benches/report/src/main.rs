@@ -131,7 +131,10 @@ fn evaluate(request: &eval::Request) -> ExitCode {
     };
     match evaluator {
         eval::Evaluator::Within(open, tolerance) => {
-            eprintln!("report eval: {} with a relative error of at most {tolerance:e}", open.function);
+            eprintln!(
+                "report eval: {} with a relative error of at most {tolerance:e}",
+                open.function
+            );
         }
         eval::Evaluator::Method(method) if request.tolerance.is_some() => {
             let scale = promise::unit(method.function).map_or(String::new(), |words| format!(", the scale {words}"));

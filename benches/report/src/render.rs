@@ -1,10 +1,10 @@
 //! Everything that is drawn from committed numbers: charts and the generated parts of pages. No measurement, no clock.
 
 use crate::chart::digits::{self, Frame, Measure, Scale};
-use crate::chart::{error_time, failures, ulp};
+use crate::chart::{error_time, failures, light_sizes, ulp};
 use crate::ledger::Entry;
 use crate::map_grid::{self, Panel};
-use crate::{digit_map, fourier_figures};
+use crate::{digit_map, fourier_figures, light_figures};
 use crate::{names, pages, run, series, tables};
 use reference::registry::Precision;
 use std::path::{Path, PathBuf};
@@ -26,6 +26,8 @@ pub struct Numbers {
     pub bessel_ulp: Option<String>,
     /// CSV of the cuts of one scratch's lobe, once measured.
     pub one_scratch: Option<String>,
+    /// CSV of the samples that Monte Carlo needs by the size of a light, once measured.
+    pub light_sizes: Option<String>,
     /// Path and CSV of each map of panels, once measured.
     pub panels: Vec<(&'static str, String)>,
 }
@@ -47,7 +49,7 @@ const CAUSE: [&str; 2] = [
 /// What draws a map.
 type Drawing = fn(&[Panel], &[Entry]) -> String;
 /// The maps of panels: where the numbers lie, the name of the picture, what draws it.
-const MAPS: [(&str, &str, Drawing); 5] = [
+const MAPS: [(&str, &str, Drawing); 6] = [
     (run::PLANE, "failures/faddeeva_w", plane),
     (run::PHASE, "failures/spatial_phase_vwh18", phase),
     (run::TEN, "charts/ten_scratches_wvjh17", scratch_maps::ten_scratches),
@@ -57,6 +59,7 @@ const MAPS: [(&str, &str, Drawing); 5] = [
         "failures/profile_triangle_wvjh17",
         scratch_maps::triangle,
     ),
+    (run::LIGHT, "failures/sphere_light_vwh18", scratch_maps::light),
 ];
 
 /// All charts.
@@ -87,6 +90,14 @@ pub fn charts(numbers: &Numbers) -> Result<Vec<File>, String> {
             "footprint_mean",
             "Mean over the footprint of a pixel: error against time",
         ),
+        (
+            "sphere_light",
+            "Light of a sphere over a scratch lobe: error against time",
+        ),
+        (
+            "polygon_light",
+            "Light of a polygon over a scratch lobe: error against time",
+        ),
     ] {
         if !entries.iter().any(|e| e.function == function && e.ns > 0.0) {
             continue;
@@ -111,6 +122,10 @@ pub fn charts(numbers: &Numbers) -> Result<Vec<File>, String> {
         let text = scratch_maps::one_scratch(&fourier_figures::read(csv)?);
         files.push((PathBuf::from("docs/charts/one_scratch_wvjh17.svg"), text));
     }
+    if let (Some(csv), Some(times)) = (&numbers.light_sizes, light_times(entries)) {
+        let text = light_sizes::draw(&light_figures::read(csv)?, times);
+        files.push((PathBuf::from("docs/charts/sphere_light_monte_carlo.svg"), text));
+    }
     for (path, name, draw) in MAPS {
         if let Some(csv) = numbers.map_of(path) {
             let text = draw(&map_grid::read(csv)?, entries);
@@ -122,6 +137,23 @@ pub fn charts(numbers: &Numbers) -> Result<Vec<File>, String> {
     let text = failures::draw(title, CAUSE, &cells);
     files.push((PathBuf::from("docs/failures/sinc_squared_integral_vwh18.svg"), text));
     Ok(files)
+}
+
+/// The times of one sample of the cone, of one of the Gaussian, and of a sphere's light to the error of the comparison.
+pub fn light_times(entries: &[Entry]) -> Option<[f64; 3]> {
+    let time = |method: &str| {
+        let mut found = entries.iter().filter(|e| e.function == "sphere_light" && e.ns > 0.0);
+        found
+            .find(|e| e.method == method && e.precision == Precision::F64)
+            .map(|e| e.ns)
+    };
+    // What 240 samples more cost: no sample pays for the set-up of its light.
+    let sample = |many: &str, few: &str| Some((time(many)? - time(few)?) / 240.0);
+    Some([
+        sample("monte_carlo_256", "monte_carlo_16")?,
+        sample("importance_256", "importance_16")?,
+        time("within_1e-2")?,
+    ])
 }
 
 const LOGARITHM: Scale = Scale {

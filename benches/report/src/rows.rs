@@ -89,7 +89,9 @@ impl<R: BufRead> Rows<R> {
             }
             self.line += 1;
             if count > LONGEST_LINE && self.bytes.last() != Some(&b'\n') {
-                return Ok(Next::Bad(self.bad(None, format!("the line is longer than {LONGEST_LINE} bytes"))));
+                return Ok(Next::Bad(
+                    self.bad(None, format!("the line is longer than {LONGEST_LINE} bytes")),
+                ));
             }
             let mut bytes = self.bytes.as_slice();
             if self.line == 1 {
@@ -271,10 +273,16 @@ mod tests {
                 _ => Ok(row.len()),
             }
         };
-        assert_eq!((read("1 2"), read("1 2 3 4 5"), read("1,2,3,4,5,6,7,8")), (Ok(2), Ok(5), Ok(8)));
+        assert_eq!(
+            (read("1 2"), read("1 2 3 4 5"), read("1,2,3,4,5,6,7,8")),
+            (Ok(2), Ok(5), Ok(8))
+        );
         for wrong in ["1", "1 2 3", "1 2 3 4", "1 2 3 4 5 6"] {
             let reason = read(wrong).expect_err(wrong);
-            assert!(reason.starts_with("2 columns or 3 more at a time expected (a b ...), "), "{reason}");
+            assert!(
+                reason.starts_with("2 columns or 3 more at a time expected (a b ...), "),
+                "{reason}"
+            );
         }
     }
 

@@ -4,7 +4,7 @@ use crate::ledger::{self, COLUMNS, Entry};
 use crate::map_grid::{self, Panel};
 use crate::measured::{self, FULL, QUICK};
 use crate::render::{self, File, Numbers};
-use crate::{digit_map, error_map, fourier_figures, names, number_table, series, summary};
+use crate::{digit_map, error_map, fourier_figures, light_figures, names, number_table, series, summary};
 use reference::registry::Origin;
 use std::path::{Path, PathBuf};
 
@@ -28,18 +28,23 @@ pub const TRIANGLE: &str = "data/charts/profile_triangle_errors.csv";
 
 /// Path of the map of ten scratches over the hemisphere.
 pub const TEN: &str = "data/charts/ten_scratches.csv";
+/// Path of the map of a sphere's light.
+pub const LIGHT: &str = "data/charts/sphere_light_errors.csv";
+/// Path of the samples that Monte Carlo needs, by the size of a light.
+pub const SIZES: &str = "data/charts/sphere_light_samples.csv";
 /// Path of the cuts of one scratch's lobe.
 pub const ONE: &str = "data/charts/one_scratch.csv";
 
 /// What measures a map.
 type Measurement = fn() -> Result<Vec<Panel>, String>;
 /// The maps of panels: where each lies and what measures it.
-const MAPS: [(&str, Measurement); 5] = [
+const MAPS: [(&str, Measurement); 6] = [
     (PLANE, digit_map::faddeeva_w),
     (PHASE, digit_map::spatial_phase),
     (FOOTPRINT, error_map::footprint),
     (TRIANGLE, error_map::triangle),
     (TEN, fourier_figures::ten_scratches),
+    (LIGHT, error_map::light),
 ];
 
 /// What to do.
@@ -109,6 +114,7 @@ fn measure(effort: measured::Effort, target: PathBuf) -> Result<Report, String> 
             .map(|(path, measure)| Ok((*path, map_grid::write(&measure()?))))
             .collect::<Result<_, String>>()?,
         one_scratch: Some(fourier_figures::one_scratch()),
+        light_sizes: Some(light_figures::write(&light_figures::sizes())),
         entries,
     };
     let mut files = vec![
@@ -118,6 +124,7 @@ fn measure(effort: measured::Effort, target: PathBuf) -> Result<Report, String> 
     ];
     let lines = numbers.bessel_ulp.iter().map(|text| (BESSEL_ULP, text));
     let lines = lines.chain(numbers.one_scratch.iter().map(|text| (ONE, text)));
+    let lines = lines.chain(numbers.light_sizes.iter().map(|text| (SIZES, text)));
     let maps = numbers.panels.iter().map(|(path, text)| (*path, text));
     files.extend(
         lines
@@ -174,6 +181,7 @@ pub fn committed() -> Result<Numbers, String> {
         map: read(MAP)?,
         bessel_ulp: read(BESSEL_ULP).ok(),
         one_scratch: read(ONE).ok(),
+        light_sizes: read(SIZES).ok(),
         panels: MAPS
             .iter()
             .filter_map(|(path, _)| Some((*path, read(path).ok()?)))
@@ -286,6 +294,11 @@ fn check() -> Result<Report, String> {
     if let Some(committed) = &numbers.one_scratch {
         let difference = fourier_figures::difference(committed, &fourier_figures::one_scratch())?;
         found.extend(difference.map(|e| format!("{ONE}: {e}")));
+    }
+    if let Some(committed) = &numbers.light_sizes {
+        let measured = light_figures::write(&light_figures::sizes());
+        let difference = number_table::same_table(committed, &measured, &light_figures::COLUMNS, &[]);
+        found.extend(difference.err().map(|e| format!("{SIZES}: {e}")));
     }
     for (path, measure) in MAPS {
         match numbers.map_of(path) {

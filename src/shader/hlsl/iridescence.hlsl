@@ -665,11 +665,11 @@ float exponential(float x_3)
     float n_3 = round((bounded * LOG_TWO_E));
     float r_3 = ((bounded - (n_3 * LN_TWO_HIGH)) - (n_3 * LN_TWO_LOW));
     float e_1 = (EXPONENTIAL_A + (r_3 * (EXPONENTIAL_B + (r_3 * (EXPONENTIAL_C + (r_3 * (EXPONENTIAL_D + (r_3 * EXPONENTIAL_E))))))));
-    float value_2 = (1.0 + (r_3 * (1.0 + (r_3 * e_1))));
+    float value_1 = (1.0 + (r_3 * (1.0 + (r_3 * e_1))));
     float halved_2 = round((n_3 * 0.5));
     float first_11 = asfloat((asuint((halved_2 + EXPONENT_BIAS)) << 23u));
     float second_3 = asfloat((asuint(((n_3 - halved_2) + EXPONENT_BIAS)) << 23u));
-    return ((value_2 * first_11) * second_3);
+    return ((value_1 * first_11) * second_3);
 }
 
 // Returns Si(x), the integral of sin t / t from 0 to x (radians), to f32 grade.
@@ -690,8 +690,8 @@ float sine_integral(float x_4)
     float m_1 = ((s_7 * ((s_7 * (s_7 + SI_G_A)) + SI_G_B)) + SI_G_C);
     float wave = (((_e26.cosine * n_4) + ((_e26.sine * bounded_1) * m_1)) / (bounded_1 * d_1));
     float tail = (HALF_PI - (_e24.parity * wave));
-    float value_3 = ((y_8 < SI_BORDER) ? head : tail);
-    float finite = ((y_8 >= PHASE_LIMIT) ? HALF_PI : value_3);
+    float value_2 = ((y_8 < SI_BORDER) ? head : tail);
+    float finite = ((y_8 >= PHASE_LIMIT) ? HALF_PI : value_2);
     const float _e78 = odd_continuation(x_4, finite);
     return _e78;
 }
@@ -712,8 +712,8 @@ float sine_integral_medium(float x_5)
     float m_2 = (s_8 + SI_MEDIUM_G_A);
     float wave_1 = (((_e23.cosine * n_5) + ((_e23.sine * bounded_2) * m_2)) / (bounded_2 * d_2));
     float tail_1 = (HALF_PI - (_e21.parity * wave_1));
-    float value_4 = ((y_9 < SI_MEDIUM_BORDER) ? head_1 : tail_1);
-    const float _e53 = odd_continuation(x_5, value_4);
+    float value_3 = ((y_9 < SI_MEDIUM_BORDER) ? head_1 : tail_1);
+    const float _e53 = odd_continuation(x_5, value_3);
     return _e53;
 }
 
@@ -730,8 +730,8 @@ float sine_integral_coarse(float x_6)
     float s_9 = min(u_7, SQUARE_LIMIT);
     float wave_2 = (((_e20.cosine * (s_9 + SI_COARSE_F_A)) + (_e20.sine * bounded_3)) / (bounded_3 * (s_9 + SI_COARSE_D_A)));
     float tail_2 = (HALF_PI - (_e18.parity * wave_2));
-    float value_5 = ((y_10 < SI_COARSE_BORDER) ? head_2 : tail_2);
-    const float _e41 = odd_continuation(x_6, value_5);
+    float value_4 = ((y_10 < SI_COARSE_BORDER) ? head_2 : tail_2);
+    const float _e41 = odd_continuation(x_6, value_4);
     return _e41;
 }
 
@@ -745,8 +745,8 @@ float sine_integral_velinov(float x_7)
     const float _e11 = exponential((2.0 * min(y_11, 20.0)));
     float sigmoid = (1.0 - (2.0 / (_e11 + 1.0)));
     float offset_5 = (y_11 - VELINOV_OFFSET);
-    float value_6 = (((HALF_PI * sigmoid) - ((VELINOV_BUMP * y_11) / (1.0 + (offset_5 * offset_5)))) + ((1.0 - _e4.cosine) / (1.0 + y_11)));
-    const float _e34 = odd_continuation(x_7, value_6);
+    float value_5 = (((HALF_PI * sigmoid) - ((VELINOV_BUMP * y_11) / (1.0 + (offset_5 * offset_5)))) + ((1.0 - _e4.cosine) / (1.0 + y_11)));
+    const float _e34 = odd_continuation(x_7, value_5);
     return _e34;
 }
 
@@ -781,9 +781,9 @@ float arc_node_pair(SineCosine middle, SineCosine node, float m, float s)
 {
     float even = (middle.sine * node.cosine);
     float odd = (middle.cosine * node.sine);
-    float right = ((even + odd) / (m + s));
-    float left = ((even - odd) / (m - s));
-    return ((right * right) + (left * left));
+    float right_1 = ((even + odd) / (m + s));
+    float left_1 = ((even - odd) / (m - s));
+    return ((right_1 * right_1) + (left_1 * left_1));
 }
 
 // Returns the phase of the middle of a short arc, within a quarter turn of 0.
@@ -818,8 +818,8 @@ float arc_join(ArcEnds ends, float extent, float border, float near_line, float 
     }
     bool _e47 = local_1;
     float one_sided = (_e47 ? gauss_sum : between);
-    float value_7 = (ends.straddles ? (far_value + near_value) : one_sided);
-    return ((value_7 < 0.0) ? 0.0 : value_7);
+    float value_6 = (ends.straddles ? (far_value + near_value) : one_sided);
+    return ((value_6 < 0.0) ? 0.0 : value_6);
 }
 
 // Returns H(2q) for q below the border, to f32 grade.
@@ -876,19 +876,27 @@ float arc_of_phases(ArcEnds ends_1, float extent_2, float near_rest, float far_r
     return _e17;
 }
 
+// Returns the integral of (sin t / t)^2 from q0 to q1 (radians), whose difference is known apart
+// from them, to f32 grade;
+// `extent` is its magnitude.
+float arc_of_extent(float first_1, float last_1, float extent_3)
+{
+    const ArcEnds _e3 = arc_ends(first_1, last_1);
+    const HalfTurns _e7 = reduce_half_turns(min(_e3.near, ARC_PHASE_LIMIT));
+    const HalfTurns _e11 = reduce_half_turns(min(_e3.far, ARC_PHASE_LIMIT));
+    const float _e14 = arc_of_phases(_e3, extent_3, _e7.rest, _e11.rest);
+    return ((last_1 < first_1) ? -(_e14) : _e14);
+}
+
 // Returns the integral of (sin t / t)^2 from q0 to q1 (radians), to f32 grade.
 //
 // Never negative for q0 <= q1, antisymmetric in its bounds, even in their signs. The phase is exact
 // to 1e-7 for
 // |q| to 1e4. VWH18 Eq. 27.
-float sinc_squared_integral(float first_1, float last_1)
+float sinc_squared_integral(float first_2, float last_2)
 {
-    const ArcEnds _e2 = arc_ends(first_1, last_1);
-    const HalfTurns _e6 = reduce_half_turns(min(_e2.near, ARC_PHASE_LIMIT));
-    const HalfTurns _e10 = reduce_half_turns(min(_e2.far, ARC_PHASE_LIMIT));
-    const float _e16 = arc_of_phases(_e2, (_e2.far - _e2.near), _e6.rest, _e10.rest);
-    float signed_ = ((last_1 < first_1) ? -(_e16) : _e16);
-    return ((first_1 == last_1) ? 0.0 : signed_);
+    const float _e6 = arc_of_extent(first_2, last_2, abs((abs(last_2) - abs(first_2))));
+    return ((first_2 == last_2) ? 0.0 : _e6);
 }
 
 // Returns the distance of the product x y from the nearest integer, exact to 3e-8 for 0 <= x < 256
@@ -906,23 +914,6 @@ float product_fraction(float x_8, float y)
     return (fraction - round(fraction));
 }
 
-// Returns the integral of (sin t / t)^2 over t = pi (W/lambda) xi between two direction cosines
-// whose difference is
-// known apart from them, to f32 grade; `extent` is its magnitude.
-float arc_turns(float width, float first_2, float last_2, float extent_3)
-{
-    const ArcEnds _e4 = arc_ends(first_2, last_2);
-    float scale = (ARC_PI * width);
-    ArcEnds ends_2 = ConstructArcEnds((scale * _e4.near), (scale * _e4.far), _e4.straddles);
-    const float _e15 = product_fraction(width, _e4.near);
-    float near_rest_1 = (ARC_PI * _e15);
-    const float _e19 = product_fraction(width, _e4.far);
-    float far_rest_1 = (ARC_PI * _e19);
-    const float _e22 = arc_of_phases(ends_2, (scale * extent_3), near_rest_1, far_rest_1);
-    float signed_1 = ((last_2 < first_2) ? -(_e22) : _e22);
-    return ((extent_3 == 0.0) ? 0.0 : signed_1);
-}
-
 // Returns the integral of (sin t / t)^2 over t = pi (W/lambda) xi between two direction cosines, to
 // f32 grade.
 //
@@ -931,10 +922,18 @@ float arc_turns(float width, float first_2, float last_2, float extent_3)
 // is reduced in turns before it is rounded, so that wide scratches lose nothing. Wider scratches
 // lose digits in
 // proportion; a negative width has no meaning. VWH18 Eq. 27.
-float sinc_squared_integral_turns(float width_1, float first_3, float last_3)
+float sinc_squared_integral_turns(float width, float first_3, float last_3)
 {
-    const float _e7 = arc_turns(width_1, first_3, last_3, abs((abs(last_3) - abs(first_3))));
-    return _e7;
+    const ArcEnds _e3 = arc_ends(first_3, last_3);
+    float scale = (ARC_PI * width);
+    ArcEnds ends_2 = ConstructArcEnds((scale * _e3.near), (scale * _e3.far), _e3.straddles);
+    const float _e14 = product_fraction(width, _e3.near);
+    float near_rest_1 = (ARC_PI * _e14);
+    const float _e18 = product_fraction(width, _e3.far);
+    float far_rest_1 = (ARC_PI * _e18);
+    const float _e24 = arc_of_phases(ends_2, (scale * (_e3.far - _e3.near)), near_rest_1, far_rest_1);
+    float signed_ = ((last_3 < first_3) ? -(_e24) : _e24);
+    return ((first_3 == last_3) ? 0.0 : signed_);
 }
 
 // Returns H(2q) for q below the border, to 1e-8.
@@ -963,14 +962,14 @@ float arc_wave_medium(float q_4, SineCosine phase_1)
 float sinc_squared_integral_medium(float first_4, float last_4)
 {
     const ArcEnds _e2 = arc_ends(first_4, last_4);
-    float extent_4 = (_e2.far - _e2.near);
+    float extent_5 = (_e2.far - _e2.near);
     const HalfTurns _e9 = reduce_half_turns(min(_e2.near, ARC_PHASE_LIMIT));
     const HalfTurns _e13 = reduce_half_turns(min(_e2.far, ARC_PHASE_LIMIT));
     const SineCosine _e16 = sine_cosine_near_medium(_e9.rest);
     const float _e17 = arc_wave_medium(_e2.near, _e16);
     const SineCosine _e20 = sine_cosine_near_medium(_e13.rest);
     const float _e21 = arc_wave_medium(_e2.far, _e20);
-    float halved_4 = (0.5 * extent_4);
+    float halved_4 = (0.5 * extent_5);
     float m_6 = (_e2.near + halved_4);
     const float _e27 = arc_middle_phase(_e9.rest, halved_4);
     const SineCosine _e28 = sine_cosine_near_medium(_e27);
@@ -983,9 +982,9 @@ float sinc_squared_integral_medium(float first_4, float last_4)
     float gauss_sum_1 = (halved_4 * ((GAUSS_INNER_WEIGHT * _e34) + (GAUSS_OUTER_WEIGHT * _e36)));
     const float _e45 = arc_head_medium(_e2.near);
     const float _e47 = arc_head_medium(_e2.far);
-    const float _e48 = arc_join(_e2, extent_4, ARC_MEDIUM_BORDER, _e45, _e47, _e17, _e21, gauss_sum_1);
-    float signed_2 = ((last_4 < first_4) ? -(_e48) : _e48);
-    return ((first_4 == last_4) ? 0.0 : signed_2);
+    const float _e48 = arc_join(_e2, extent_5, ARC_MEDIUM_BORDER, _e45, _e47, _e17, _e21, gauss_sum_1);
+    float signed_1 = ((last_4 < first_4) ? -(_e48) : _e48);
+    return ((first_4 == last_4) ? 0.0 : signed_1);
 }
 
 // Returns H(2q) for q below the border, to 6e-6.
@@ -1014,14 +1013,14 @@ float arc_wave_coarse(float q_6, SineCosine phase_2)
 float sinc_squared_integral_coarse(float first_5, float last_5)
 {
     const ArcEnds _e2 = arc_ends(first_5, last_5);
-    float extent_5 = (_e2.far - _e2.near);
+    float extent_6 = (_e2.far - _e2.near);
     const HalfTurns _e9 = reduce_half_turns(min(_e2.near, ARC_PHASE_LIMIT));
     const HalfTurns _e13 = reduce_half_turns(min(_e2.far, ARC_PHASE_LIMIT));
     const SineCosine _e16 = sine_cosine_near_coarse(_e9.rest);
     const float _e17 = arc_wave_coarse(_e2.near, _e16);
     const SineCosine _e20 = sine_cosine_near_coarse(_e13.rest);
     const float _e21 = arc_wave_coarse(_e2.far, _e20);
-    float halved_5 = (0.5 * extent_5);
+    float halved_5 = (0.5 * extent_6);
     float m_8 = (_e2.near + halved_5);
     const float _e27 = arc_middle_phase(_e9.rest, halved_5);
     const SineCosine _e28 = sine_cosine_near_coarse(_e27);
@@ -1032,9 +1031,9 @@ float sinc_squared_integral_coarse(float first_5, float last_5)
     float gauss_sum_2 = (halved_5 * ((GAUSS_THREE_OUTER_WEIGHT * _e32) + ((GAUSS_THREE_MIDDLE_WEIGHT * centre) * centre)));
     const float _e44 = arc_head_coarse(_e2.near);
     const float _e46 = arc_head_coarse(_e2.far);
-    const float _e47 = arc_join(_e2, extent_5, ARC_COARSE_BORDER, _e44, _e46, _e17, _e21, gauss_sum_2);
-    float signed_3 = ((last_5 < first_5) ? -(_e47) : _e47);
-    return ((first_5 == last_5) ? 0.0 : signed_3);
+    const float _e47 = arc_join(_e2, extent_6, ARC_COARSE_BORDER, _e44, _e46, _e17, _e21, gauss_sum_2);
+    float signed_2 = ((last_5 < first_5) ? -(_e47) : _e47);
+    return ((first_5 == last_5) ? 0.0 : signed_2);
 }
 
 // Returns the bracket of VWH18 Eq. 27, Si(2q) - sin^2 q / q with the fit of Eq. 29, 0 at q = 0.
@@ -1092,7 +1091,7 @@ float bessel_i0_scaled(float x_10)
     float centre_2 = (third_1 ? centre_high : centre_low);
     float value_low = (second_4 ? BESSEL_SECOND_VALUE : BESSEL_FIRST_VALUE);
     float value_high = (fourth ? BESSEL_FOURTH_VALUE : BESSEL_THIRD_VALUE);
-    float value_8 = (third_1 ? value_high : value_low);
+    float value_7 = (third_1 ? value_high : value_low);
     float pa_low = (second_4 ? BESSEL_SECOND_A : BESSEL_FIRST_A);
     float pa_high = (fourth ? BESSEL_FOURTH_A : BESSEL_THIRD_A);
     float pa = (third_1 ? pa_high : pa_low);
@@ -1118,7 +1117,7 @@ float bessel_i0_scaled(float x_10)
     float pi = (fourth ? BESSEL_FOURTH_I : 0.0);
     float d_6 = (near_y - centre_2);
     float upper = (pd + (d_6 * (pe + (d_6 * (pf + (d_6 * (pg + (d_6 * (ph + (d_6 * pi))))))))));
-    float near_1 = (value_8 + (d_6 * (pa + (d_6 * (pb + (d_6 * (pc + (d_6 * upper))))))));
+    float near_1 = (value_7 + (d_6 * (pa + (d_6 * (pb + (d_6 * (pc + (d_6 * upper))))))));
     const BesselPowers _e100 = bessel_powers(max(y_12, BESSEL_FOURTH_END));
     bool odd_1 = ((_e100.exponent & 1u) == 0u);
     float low_root = (odd_1 ? BESSEL_LOW_ODD : BESSEL_LOW_EVEN);
@@ -1165,7 +1164,7 @@ float log_bessel_izero(float x_11)
     float centre_low_1 = (second_5 ? BESSEL_LOG_SECOND_CENTRE : BESSEL_LOG_FIRST_CENTRE);
     float centre_3 = (third_2 ? BESSEL_LOG_THIRD_CENTRE : centre_low_1);
     float value_low_1 = (second_5 ? BESSEL_LOG_SECOND_VALUE : BESSEL_LOG_FIRST_VALUE);
-    float value_9 = (third_2 ? BESSEL_LOG_THIRD_VALUE : value_low_1);
+    float value_8 = (third_2 ? BESSEL_LOG_THIRD_VALUE : value_low_1);
     float pa_low_1 = (second_5 ? BESSEL_LOG_SECOND_A : BESSEL_LOG_FIRST_A);
     float pa_1 = (third_2 ? BESSEL_LOG_THIRD_A : pa_low_1);
     float pb_low_1 = (second_5 ? BESSEL_LOG_SECOND_B : BESSEL_LOG_FIRST_B);
@@ -1182,7 +1181,7 @@ float log_bessel_izero(float x_11)
     float pg_1 = (second_5 ? pg_high_1 : 0.0);
     float d_7 = (middle_y - centre_3);
     float upper_1 = (pd_1 + (d_7 * (pe_1 + (d_7 * (pf_1 + (d_7 * pg_1))))));
-    float middle_3 = (value_9 + (d_7 * (pa_1 + (d_7 * (pb_1 + (d_7 * (pc_1 + (d_7 * upper_1))))))));
+    float middle_3 = (value_8 + (d_7 * (pa_1 + (d_7 * (pb_1 + (d_7 * (pc_1 + (d_7 * upper_1))))))));
     const BesselPowers _e90 = bessel_powers(max(y_13, BESSEL_BORDER));
     float t_1 = _e90.rest;
     float upper_log = (BESSEL_LN_E + (t_1 * (BESSEL_LN_F + (t_1 * BESSEL_LN_G))));
@@ -1211,7 +1210,7 @@ float bessel_ratio(float x_12)
     float middle_y_1 = min(y_14, BESSEL_BORDER);
     bool second_6 = (middle_y_1 >= BESSEL_RATIO_FIRST_END);
     float centre_4 = (second_6 ? BESSEL_RATIO_SECOND_CENTRE : BESSEL_RATIO_FIRST_CENTRE);
-    float value_10 = (second_6 ? BESSEL_RATIO_SECOND_VALUE : BESSEL_RATIO_FIRST_VALUE);
+    float value_9 = (second_6 ? BESSEL_RATIO_SECOND_VALUE : BESSEL_RATIO_FIRST_VALUE);
     float pa_2 = (second_6 ? BESSEL_RATIO_SECOND_A : BESSEL_RATIO_FIRST_A);
     float pb_2 = (second_6 ? BESSEL_RATIO_SECOND_B : BESSEL_RATIO_FIRST_B);
     float pc_2 = (second_6 ? BESSEL_RATIO_SECOND_C : BESSEL_RATIO_FIRST_C);
@@ -1222,7 +1221,7 @@ float bessel_ratio(float x_12)
     float ph_1 = (second_6 ? BESSEL_RATIO_SECOND_H : 0.0);
     float d_8 = (middle_y_1 - centre_4);
     float upper_2 = (pd_2 + (d_8 * (pe_2 + (d_8 * (pf_2 + (d_8 * (pg_2 + (d_8 * ph_1))))))));
-    float middle_4 = (value_10 + (d_8 * (pa_2 + (d_8 * (pb_2 + (d_8 * (pc_2 + (d_8 * upper_2))))))));
+    float middle_4 = (value_9 + (d_8 * (pa_2 + (d_8 * (pb_2 + (d_8 * (pc_2 + (d_8 * upper_2))))))));
     float v_10 = (1.0 / max(y_14, BESSEL_BORDER));
     float top = (BESSEL_RATIO_TAIL_H + (v_10 * (BESSEL_RATIO_TAIL_I + (v_10 * BESSEL_RATIO_TAIL_J))));
     float upper_tail = (BESSEL_RATIO_TAIL_E + (v_10 * (BESSEL_RATIO_TAIL_F + (v_10 * (BESSEL_RATIO_TAIL_G + (v_10 * top))))));
@@ -1530,8 +1529,8 @@ Complex erf_difference_scaled_turns(float a_from, float a_to, float b_2, float t
     bool local_5 = (bool)0;
     bool local_6 = (bool)0;
 
-    float extent_6 = (a_to - a_from);
-    float halved_8 = (0.5 * extent_6);
+    float extent_7 = (a_to - a_from);
+    float halved_8 = (0.5 * extent_7);
     bool nearer_to = (abs(a_to) < abs(a_from));
     float base_2 = (nearer_to ? a_to : a_from);
     float stride = (nearer_to ? -(halved_8) : halved_8);
@@ -1549,7 +1548,7 @@ Complex erf_difference_scaled_turns(float a_from, float a_to, float b_2, float t
     const SineCosine _e38 = sine_cosine_turns(turns_4);
     float rest_7 = (stride * ((base_2 + base_2) + stride));
     const float _e47 = erf_gaussian(min(abs(base_2), ERF_END_LARGEST), rest_7);
-    float scale_4 = ((TWO_INVERSE_ROOT_PI * extent_6) * _e47);
+    float scale_4 = ((TWO_INVERSE_ROOT_PI * extent_7) * _e47);
     const Complex _e49 = erf_short_series(middle_5, b_2, halved_8);
     float short_re = (scale_4 * ((_e49.re * _e38.cosine) + (_e49.im * _e38.sine)));
     float short_im = (scale_4 * ((_e49.im * _e38.cosine) - (_e49.re * _e38.sine)));
@@ -1618,12 +1617,12 @@ float sinc_turns(Turns turns_2, float sine)
 }
 
 // Returns W sinc(pi W xi/lambda), in the unit of the width (VWH18 Eq. 3).
-float width_term(float width_2, float xi_b, float wavelength)
+float width_term(float width_1, float xi_b, float wavelength)
 {
-    const Turns _e4 = ratio_turns(width_2, xi_b, (wavelength + wavelength));
+    const Turns _e4 = ratio_turns(width_1, xi_b, (wavelength + wavelength));
     const SineCosine _e6 = sine_cosine_turns(_e4.rest);
     const float _e8 = sinc_turns(_e4, _e6.sine);
-    return (width_2 * _e8);
+    return (width_1 * _e8);
 }
 
 // Returns the sine and cosine of half the phase of the depth, pi gamma D/lambda; both may have the
@@ -1656,9 +1655,9 @@ float depth_term_squared(float depth_2, float gamma_sum_2, float wavelength_3)
 // Returns W sinc(pi W xi/lambda) (1 - exp(2 pi i (gamma_i + gamma_o) D/lambda)), in the unit of the
 // width: mask less
 // scratch of a rectangle (VWH18 Eq. 3).
-Complex profile_rectangle(float width_3, float depth_3, float xi_b_1, float gamma_sum_3, float wavelength_4)
+Complex profile_rectangle(float width_2, float depth_3, float xi_b_1, float gamma_sum_3, float wavelength_4)
 {
-    const float _e5 = width_term(width_3, xi_b_1, wavelength_4);
+    const float _e5 = width_term(width_2, xi_b_1, wavelength_4);
     const Complex _e6 = depth_term(depth_3, gamma_sum_3, wavelength_4);
     const Complex complex_13 = ConstructComplex((_e5 * _e6.re), (_e5 * _e6.im));
     return complex_13;
@@ -1676,16 +1675,16 @@ TriangleFlanks ConstructTriangleFlanks(float arg0, float arg1, SineCosine arg2, 
 }
 
 // Returns the two sinc of a triangle.
-TriangleFlanks triangle_flanks(float width_4, float depth_4, float xi_b_2, float gamma_sum_4, float wavelength_5)
+TriangleFlanks triangle_flanks(float width_3, float depth_4, float xi_b_2, float gamma_sum_4, float wavelength_5)
 {
     float twice_5 = (wavelength_5 + wavelength_5);
     const Turns _e6 = ratio_turns(depth_4, gamma_sum_4, twice_5);
-    const Turns _e8 = ratio_turns(width_4, xi_b_2, (twice_5 + twice_5));
+    const Turns _e8 = ratio_turns(width_3, xi_b_2, (twice_5 + twice_5));
     Turns sum_6 = ConstructTurns((_e6.whole + _e8.whole), (_e6.rest + _e8.rest));
     Turns difference = ConstructTurns((_e6.whole - _e8.whole), (_e6.rest - _e8.rest));
     const SineCosine _e24 = sine_cosine_turns(sum_6.rest);
     const SineCosine _e26 = sine_cosine_turns(difference.rest);
-    float halved_9 = (0.5 * width_4);
+    float halved_9 = (0.5 * width_3);
     const float _e30 = sinc_turns(sum_6, _e24.sine);
     const float _e33 = sinc_turns(difference, _e26.sine);
     const TriangleFlanks triangleflanks = ConstructTriangleFlanks((halved_9 * _e30), (halved_9 * _e33), _e24, _e26, (_e6.whole + _e6.rest), (_e8.whole + _e8.rest));
@@ -1696,9 +1695,9 @@ TriangleFlanks triangle_flanks(float width_4, float depth_4, float xi_b_2, float
 // (WVJH17 Eq. 29).
 //
 // Two sinc, each the other's phase: no poles.
-Complex profile_triangle(float width_5, float depth_5, float xi_b_3, float gamma_sum_5, float wavelength_6)
+Complex profile_triangle(float width_4, float depth_5, float xi_b_3, float gamma_sum_5, float wavelength_6)
 {
-    const TriangleFlanks _e5 = triangle_flanks(width_5, depth_5, xi_b_3, gamma_sum_5, wavelength_6);
+    const TriangleFlanks _e5 = triangle_flanks(width_4, depth_5, xi_b_3, gamma_sum_5, wavelength_6);
     const Complex complex_14 = ConstructComplex(((_e5.sinc_a * _e5.b.cosine) + (_e5.sinc_b * _e5.a.cosine)), ((_e5.sinc_a * _e5.b.sine) + (_e5.sinc_b * _e5.a.sine)));
     return complex_14;
 }
@@ -1719,10 +1718,10 @@ Complex triangle_shallow_node(float deep, float across, float u)
 // The difference of mask and [`profile_triangle`] in a deep groove, its own two sinc in a wide one,
 // and a Gauss rule of
 // four points where both phases are small: a shallow groove keeps its digits.
-Complex response_triangle(float width_6, float depth_6, float xi_b_4, float gamma_sum_6, float wavelength_7)
+Complex response_triangle(float width_5, float depth_6, float xi_b_4, float gamma_sum_6, float wavelength_7)
 {
-    const TriangleFlanks _e5 = triangle_flanks(width_6, depth_6, xi_b_4, gamma_sum_6, wavelength_7);
-    const float _e6 = width_term(width_6, xi_b_4, wavelength_7);
+    const TriangleFlanks _e5 = triangle_flanks(width_5, depth_6, xi_b_4, gamma_sum_6, wavelength_7);
+    const float _e6 = width_term(width_5, xi_b_4, wavelength_7);
     float slope = (_e5.deep / _e5.across);
     bool is_wide = (abs(_e5.deep) <= abs(_e5.across));
     float a_re = (_e5.sinc_a * _e5.b.cosine);
@@ -1742,7 +1741,7 @@ Complex response_triangle(float width_6, float depth_6, float xi_b_4, float gamm
     float outer_im = (0.17392743 * (_e63.im + _e69.im));
     float inner_re = (0.32607257 * (_e65.re + _e67.re));
     float inner_im = (0.32607257 * (_e65.im + _e67.im));
-    const Complex complex_16 = ConstructComplex((is_shallow ? (width_6 * (outer_re + inner_re)) : re_6), (is_shallow ? (width_6 * (outer_im + inner_im)) : im_7));
+    const Complex complex_16 = ConstructComplex((is_shallow ? (width_5 * (outer_re + inner_re)) : re_6), (is_shallow ? (width_5 * (outer_im + inner_im)) : im_7));
     return complex_16;
 }
 
@@ -1763,11 +1762,11 @@ float coherence_window(float offset, float radius_1)
 // Returns the share of the window's amplitude on one infinite scratch at a distance: 1 for a full
 // coverage (VWH18 Eq. 17,
 // normalised). [`area_density`](super::area_density) is the share of its energy.
-float area_density_amplitude(float width_7, float offset_1, float radius_2)
+float area_density_amplitude(float width_6, float offset_1, float radius_2)
 {
     float r_5 = (offset_1 / radius_2);
     const float _e10 = exponential((-0.5 * (r_5 * r_5)));
-    return ((INVERSE_ROOT_TWO_PI * (width_7 / radius_2)) * _e10);
+    return ((INVERSE_ROOT_TWO_PI * (width_6 / radius_2)) * _e10);
 }
 
 // Returns sigma k xi, the direction cosine in widths of the transformed window.
@@ -1839,11 +1838,11 @@ float base_response(float radius_7, float wavelength_12, float xi_t_3, float xi_
 
 // Returns the share of the window's energy on one infinite scratch at a distance: 1 for a full
 // coverage.
-float area_density(float width_8, float offset_2, float radius_8)
+float area_density(float width_7, float offset_2, float radius_8)
 {
     float r_6 = (offset_2 / radius_8);
     const float _e9 = exponential(-((r_6 * r_6)));
-    return ((INVERSE_ROOT_PI * (width_8 / radius_8)) * _e9);
+    return ((INVERSE_ROOT_PI * (width_7 / radius_8)) * _e9);
 }
 
 // Returns 1 - rho, the factor of the scratches' incoherent reflectance; a density above 1 counts as
@@ -1891,9 +1890,9 @@ float reflectance_coherent(float radius_10, float wavelength_14, float base, flo
 //
 // `mean` is that of the footprint, `footprint_mean`, or exp(-s_b^2/sigma^2) at a point (VWH18 Eqs.
 // 9 and 16).
-float scratch_squared(float radius_11, float wavelength_15, float width_9, float depth_7, float xi_t_4, float xi_b_8, float gamma_sum_7, float mean)
+float scratch_squared(float radius_11, float wavelength_15, float width_8, float depth_7, float xi_t_4, float xi_b_8, float gamma_sum_7, float mean)
 {
-    const float _e8 = width_term(width_9, xi_b_8, wavelength_15);
+    const float _e8 = width_term(width_8, xi_b_8, wavelength_15);
     const float _e9 = depth_term_squared(depth_7, gamma_sum_7, wavelength_15);
     const float _e10 = window_cosine(radius_11, wavelength_15, xi_t_4);
     const float _e16 = exponential(-((_e10 * _e10)));
@@ -1961,14 +1960,14 @@ FootprintWindow ConstructFootprintWindow(float arg0, float arg1, float arg2, flo
 // Returns the part of the ellipse within reach of the line.
 FootprintWindow footprint_window(float half_width, float edge)
 {
-    float width_24 = min(max(half_width, FOOTPRINT_LEAST_LIMIT), FOOTPRINT_MOST_LIMIT);
-    float near_edge = (edge + (width_24 - half_width));
-    float far_edge = ((width_24 - near_edge) + width_24);
-    float inverse_3 = (1.0 / width_24);
+    float width_23 = min(max(half_width, FOOTPRINT_LEAST_LIMIT), FOOTPRINT_MOST_LIMIT);
+    float near_edge = (edge + (width_23 - half_width));
+    float far_edge = ((width_23 - near_edge) + width_23);
+    float inverse_3 = (1.0 / width_23);
     float start_7 = max(-(near_edge), -3.95);
     bool whole_2 = (max(near_edge, far_edge) <= FOOTPRINT_REACH);
-    float seen = max((min(far_edge, FOOTPRINT_REACH) - start_7), 0.0);
-    float span = (whole_2 ? (width_24 + width_24) : seen);
+    float seen_1 = max((min(far_edge, FOOTPRINT_REACH) - start_7), 0.0);
+    float span = (whole_2 ? (width_23 + width_23) : seen_1);
     const FootprintWindow footprintwindow = ConstructFootprintWindow((max((near_edge - FOOTPRINT_REACH), 0.0) * inverse_3), (max((far_edge - FOOTPRINT_REACH), 0.0) * inverse_3), (FOOTPRINT_BINARY * start_7), (FOOTPRINT_BINARY * span), (span * inverse_3));
     return footprintwindow;
 }
@@ -2075,8 +2074,8 @@ float footprint_mean_reduced_coarse(float half_width_2, float edge_2)
     float middle_6 = (inverse_4 * (1.1283792 - (z_2 * (0.2820948 + (0.1410474 * z_2)))));
     float height_3 = (is_narrow ? 1.0 : (is_interior ? middle_6 : inverse_4));
     const float _e117 = exponential(-(exponent_1));
-    float value_11 = ((sqrt(under_root) * height_3) * _e117);
-    return ((edge_2 < FOOTPRINT_OUTSIDE_LIMIT) ? 0.0 : value_11);
+    float value_10 = ((sqrt(under_root) * height_3) * _e117);
+    return ((edge_2 < FOOTPRINT_OUTSIDE_LIMIT) ? 0.0 : value_10);
 }
 
 // Returns the mean over an ellipse of exp(-s_b^2/sigma^2) for an infinite scratch at an offset;
@@ -2238,10 +2237,10 @@ float lobe_reach(float b_9, float n)
 // Returns the density of the lobe of a scratch, in 1/sr: a Gaussian along it, a Lorentzian across.
 //
 // Radius, wavelength and width in um; directions as in [`base_lobe_pdf`].
-float scratch_lobe_pdf(float radius_18, float wavelength_20, float width_10, float incident_t_2, float incident_b_2, float outgoing_t_1, float outgoing_b_1, float outgoing_n_1)
+float scratch_lobe_pdf(float radius_18, float wavelength_20, float width_9, float incident_t_2, float incident_b_2, float outgoing_t_1, float outgoing_b_1, float outgoing_n_1)
 {
     const float _e8 = lobe_reduced_radius(radius_18, wavelength_20);
-    float c_10 = (ARC_PI * (width_10 / wavelength_20));
+    float c_10 = (ARC_PI * (width_9 / wavelength_20));
     float along_6 = (_e8 * (incident_t_2 + outgoing_t_1));
     float x_26 = (c_10 * (incident_b_2 + outgoing_b_1));
     const float _e16 = lobe_reach(outgoing_b_1, outgoing_n_1);
@@ -2255,10 +2254,10 @@ float scratch_lobe_pdf(float radius_18, float wavelength_20, float width_10, flo
 
 // Returns a direction of the lobe of a scratch from two random numbers of \[0, 1); density 0 for an
 // evanescent draw.
-SampledDirection scratch_lobe_sample(float radius_19, float wavelength_21, float width_11, float incident_t_3, float incident_b_3, float first_8, float second_1)
+SampledDirection scratch_lobe_sample(float radius_19, float wavelength_21, float width_10, float incident_t_3, float incident_b_3, float first_8, float second_1)
 {
     const float _e7 = lobe_reduced_radius(radius_19, wavelength_21);
-    float c_11 = (ARC_PI * (width_11 / wavelength_21));
+    float c_11 = (ARC_PI * (width_10 / wavelength_21));
     const float _e11 = gaussian_inverse(first_8);
     float x_27 = ((_e11 / _e7) - incident_t_3);
     float g_1 = sqrt(max(((1.0 - x_27) * (1.0 + x_27)), 0.0));
@@ -2273,7 +2272,7 @@ SampledDirection scratch_lobe_sample(float radius_19, float wavelength_21, float
     float beta = (g_1 - from_end);
     float y_18 = (mirrored ? -(beta) : beta);
     float z_4 = sqrt(max((from_end * ((g_1 + g_1) - from_end)), 0.0));
-    const float _e58 = scratch_lobe_pdf(radius_19, wavelength_21, width_11, incident_t_3, incident_b_3, x_27, y_18, z_4);
+    const float _e58 = scratch_lobe_pdf(radius_19, wavelength_21, width_10, incident_t_3, incident_b_3, x_27, y_18, z_4);
     const SampledDirection sampleddirection_1 = ConstructSampledDirection(x_27, y_18, z_4, _e58);
     return sampleddirection_1;
 }
@@ -2352,17 +2351,17 @@ LightLine ConstructLightLine(float arg0, float arg1, float arg2, float arg3) {
 }
 
 // Returns the line xi_t = 0 for a view and a scratch.
-LightLine light_line(float wavelength_22, float width_12, float view_t, float view_b)
+LightLine light_line(float wavelength_22, float width_11, float view_t, float view_b)
 {
-    const LightLine lightline = ConstructLightLine(-(view_t), max(((1.0 - view_t) * (1.0 + view_t)), 0.0), view_b, (width_12 / wavelength_22));
+    const LightLine lightline = ConstructLightLine(-(view_t), max(((1.0 - view_t) * (1.0 + view_t)), 0.0), view_b, (ARC_PI * (width_11 / wavelength_22)));
     return lightline;
 }
 
 // Returns the band's Gaussian integral over k W/2: what turns an arc of sinc^2 into the integral
 // over a light.
-float light_scale(float radius_20, float wavelength_23, float width_13)
+float light_scale(float radius_20, float wavelength_23, float width_12)
 {
-    return ((LIGHT_HALF_INVERSE_ROOT_PI * (wavelength_23 / radius_20)) * (wavelength_23 / (ARC_PI * width_13)));
+    return ((LIGHT_HALF_INVERSE_ROOT_PI * (wavelength_23 / radius_20)) * (wavelength_23 / (ARC_PI * width_12)));
 }
 
 // Returns the integral of exp(-(sigma k xi_t)^2) sinc^2(k W xi_b/2) over a sphere that covers the
@@ -2372,99 +2371,102 @@ float light_scale(float radius_20, float wavelength_23, float width_13)
 // `x`, `y`, `z` is the sphere's centre. A sphere that the line misses gives 0; one that contains
 // the shaded point has
 // no chord.
-float sphere_light_chord(float radius_21, float wavelength_24, float width_14, float view_t_1, float view_b_1, float x_21, float y_6, float z, float sphere_radius)
+float sphere_light_chord(float radius_21, float wavelength_24, float width_13, float view_t_1, float view_b_1, float x_21, float y_6, float z, float sphere_radius)
 {
     bool local_7 = (bool)0;
     bool local_8 = (bool)0;
     bool local_9 = (bool)0;
+    float left = (float)0;
+    float right = (float)0;
+    float extent_4 = (float)0;
+    float gap = 0.0;
+    bool seen = true;
     bool local_10 = (bool)0;
     bool local_11 = (bool)0;
-    float value_1 = (float)0;
     bool local_12 = (bool)0;
-    bool local_13 = (bool)0;
-    bool local_14 = (bool)0;
 
-    const LightLine _e9 = light_line(wavelength_24, width_14, view_t_1, view_b_1);
+    const LightLine _e9 = light_line(wavelength_24, width_13, view_t_1, view_b_1);
     float tilt = ((y_6 * y_6) + (z * z));
     float square_3 = ((x_21 * x_21) + tilt);
     float tangent = sqrt(max((square_3 - (sphere_radius * sphere_radius)), 0.0));
     float per_square = (1.0 / square_3);
     float per_tilt = (1.0 / tilt);
     float p_6 = (_e9.x - ((tangent * per_square) * x_21));
-    float reach_1 = ((sphere_radius * per_square) * sqrt(tilt));
-    float discriminant = ((reach_1 - p_6) * (reach_1 + p_6));
+    float sine_5 = (sphere_radius * per_square);
+    float discriminant = (((sine_5 * sine_5) * tilt) - (p_6 * p_6));
     float root_1 = (sqrt((max(discriminant, 0.0) * square_3)) * per_tilt);
     float level = ((tangent * per_square) - ((p_6 * per_tilt) * x_21));
     float centre_b = (y_6 * level);
     float reach_b = (z * root_1);
     float left_z = ((z * level) + (y_6 * root_1));
     float right_z = ((z * level) - (y_6 * root_1));
-    float edge_3 = sqrt(_e9.rest);
     bool met = (discriminant > 0.0);
-    if ((left_z < 0.0)) {
-        local_7 = (right_z < 0.0);
+    if ((left_z >= 0.0)) {
+        local_7 = met;
     } else {
         local_7 = false;
     }
-    bool both_below = local_7;
-    float depth_8 = (level * tilt);
-    bool inside_1 = ((met ? (depth_8 + (abs(y_6) * edge_3)) : depth_8) < 0.0);
-    if ((left_z >= 0.0)) {
-        local_8 = (right_z >= 0.0);
+    bool left_up = local_7;
+    if ((right_z >= 0.0)) {
+        local_8 = met;
     } else {
         local_8 = false;
     }
-    bool _e77 = local_8;
-    if (_e77) {
-        local_9 = met;
+    bool right_up = local_8;
+    if (left_up) {
+        local_9 = right_up;
     } else {
         local_9 = false;
     }
     bool above_1 = local_9;
-    if ((left_z >= 0.0)) {
-        local_10 = met;
+    left = (centre_b - reach_b);
+    right = (centre_b + reach_b);
+    extent_4 = abs((reach_b + reach_b));
+    if (!(!(above_1))) {
+        local_10 = (reach_b < 0.0);
     } else {
-        local_10 = false;
+        local_10 = true;
     }
-    bool _e92 = local_10;
-    float left_1 = (_e92 ? min(max((centre_b - reach_b), -(edge_3)), edge_3) : -(edge_3));
-    if ((right_z >= 0.0)) {
-        local_11 = met;
-    } else {
-        local_11 = false;
+    bool _e86 = local_10;
+    if (_e86) {
+        float edge_3 = sqrt(_e9.rest);
+        float depth_8 = (level * tilt);
+        bool inside_1 = ((met ? (depth_8 + (abs(y_6) * edge_3)) : depth_8) < 0.0);
+        if (!(left_up)) {
+            local_11 = right_up;
+        } else {
+            local_11 = true;
+        }
+        bool _e100 = local_11;
+        if (!(_e100)) {
+            local_12 = inside_1;
+        } else {
+            local_12 = true;
+        }
+        bool _e105 = local_12;
+        seen = _e105;
+        float _e107 = left;
+        left = (left_up ? min(max(_e107, -(edge_3)), edge_3) : -(edge_3));
+        float _e112 = right;
+        right = (right_up ? min(max(_e112, -(edge_3)), edge_3) : edge_3);
+        float _e117 = right;
+        float _e118 = left;
+        float _e121 = extent_4;
+        extent_4 = (above_1 ? _e121 : abs((_e117 - _e118)));
+        if (above_1) {
+            const float _e134 = arc_of_extent((_e9.width * (_e9.view - edge_3)), (_e9.width * (_e9.view + edge_3)), (_e9.width * (edge_3 + edge_3)));
+            gap = _e134;
+        }
     }
-    bool _e103 = local_11;
-    float right_1 = (_e103 ? min(max((centre_b + reach_b), -(edge_3)), edge_3) : edge_3);
-    float extent_7 = (above_1 ? abs((reach_b + reach_b)) : abs((right_1 - left_1)));
-    const float _e115 = arc_turns(_e9.width, (left_1 + _e9.view), (right_1 + _e9.view), extent_7);
-    value_1 = _e115;
-    if (above_1) {
-        local_12 = (reach_b < 0.0);
-    } else {
-        local_12 = false;
-    }
-    bool _e122 = local_12;
-    if (_e122) {
-        float _e123 = value_1;
-        const float _e130 = arc_turns(_e9.width, (_e9.view - edge_3), (_e9.view + edge_3), (edge_3 + edge_3));
-        value_1 = (_e123 + _e130);
-    }
-    float _e132 = value_1;
-    if (!(both_below)) {
-        local_13 = !(met);
-    } else {
-        local_13 = true;
-    }
-    bool _e139 = local_13;
-    if (_e139) {
-        local_14 = !(inside_1);
-    } else {
-        local_14 = false;
-    }
-    bool _e144 = local_14;
-    float seen_1 = (_e144 ? 0.0 : _e132);
-    const float _e146 = light_scale(radius_21, wavelength_24, width_14);
-    return (_e146 * max(seen_1, 0.0));
+    float _e136 = left;
+    float _e141 = right;
+    float _e146 = extent_4;
+    const float _e148 = arc_of_extent((_e9.width * (_e136 + _e9.view)), (_e9.width * (_e141 + _e9.view)), (_e9.width * _e146));
+    float _e150 = gap;
+    bool _e152 = seen;
+    float value_11 = (_e152 ? (_e150 + _e148) : 0.0);
+    const float _e154 = light_scale(radius_21, wavelength_24, width_13);
+    return (_e154 * max(value_11, 0.0));
 }
 
 // Returns where an outline has met the line once more, at a direction of these two components: the
@@ -2484,12 +2486,12 @@ LightChords light_crossing(LightChords chords, LightLine cut, float b_10, float 
         float sum_n = abs((n_1 + chords.begin_n));
         float by_normals = ((abs((n_1 - chords.begin_n)) * sum_n) / sum_b);
         float extent_8 = ((sum_n < sum_b) ? by_normals : abs((b_10 - chords.begin_b)));
-        const float _e35 = arc_turns(cut.width, (chords.begin_b + cut.view), (b_10 + cut.view), extent_8);
-        next.sum = (chords.sum + (direction * _e35));
+        const float _e40 = arc_of_extent((cut.width * (chords.begin_b + cut.view)), (cut.width * (b_10 + cut.view)), (cut.width * extent_8));
+        next.sum = (chords.sum + (direction * _e40));
         next.open = 1.0;
     }
-    LightChords _e42 = next;
-    const LightChords lightchords = _e42;
+    LightChords _e47 = next;
+    const LightChords lightchords = _e47;
     return lightchords;
 }
 
@@ -2503,10 +2505,10 @@ float light_side(LightLine cut_1, LightPoint p)
 LightChords light_arc(LightChords chords_1, LightLine cut_2, LightPoint start, LightPoint stop, float start_side, float stop_side)
 {
     LightChords next_1 = (LightChords)0;
+    bool local_13 = (bool)0;
+    bool local_14 = (bool)0;
     bool local_15 = (bool)0;
     bool local_16 = (bool)0;
-    bool local_17 = (bool)0;
-    bool local_18 = (bool)0;
 
     next_1 = chords_1;
     float dx_4 = (stop.x - start.x);
@@ -2521,29 +2523,29 @@ LightChords light_arc(LightChords chords_1, LightLine cut_2, LightPoint start, L
     float leaving = (start_side * ((nz * start.y) - (ny * start.z)));
     float returning = (start_side * ((nz * stop.y) - (ny * stop.z)));
     if ((start_side == stop_side)) {
-        local_15 = (discriminant_1 > 0.0);
+        local_13 = (discriminant_1 > 0.0);
+    } else {
+        local_13 = false;
+    }
+    bool _e58 = local_13;
+    if (_e58) {
+        local_14 = (leaving > 0.0);
+    } else {
+        local_14 = false;
+    }
+    bool _e64 = local_14;
+    if (_e64) {
+        local_15 = (returning < 0.0);
     } else {
         local_15 = false;
     }
-    bool _e58 = local_15;
-    if (_e58) {
-        local_16 = (leaving > 0.0);
-    } else {
-        local_16 = false;
-    }
-    bool _e64 = local_16;
-    if (_e64) {
-        local_17 = (returning < 0.0);
-    } else {
-        local_17 = false;
-    }
-    bool twice_6 = local_17;
+    bool twice_6 = local_15;
     if (!(twice_6)) {
-        local_18 = (start_side != stop_side);
+        local_16 = (start_side != stop_side);
     } else {
-        local_18 = true;
+        local_16 = true;
     }
-    bool _e76 = local_18;
+    bool _e76 = local_16;
     if (_e76) {
         float root_2 = sqrt(max(discriminant_1, 0.0));
         float inverse_7 = (1.0 / tilt_1);
@@ -2589,15 +2591,15 @@ LightPoint light_horizon(LightPoint start_1, LightPoint stop_1)
 LightChords light_edge(LightChords chords_2, LightLine cut_3, LightPoint start_2, LightPoint stop_2, float start_side_1, float stop_side_1)
 {
     LightChords next_2 = (LightChords)0;
-    bool local_19 = (bool)0;
+    bool local_17 = (bool)0;
 
     next_2 = chords_2;
     if ((start_2.z >= 0.0)) {
-        local_19 = (stop_2.z >= 0.0);
+        local_17 = (stop_2.z >= 0.0);
     } else {
-        local_19 = false;
+        local_17 = false;
     }
-    bool _e16 = local_19;
+    bool _e16 = local_17;
     if (_e16) {
         LightChords _e17 = next_2;
         const LightChords _e18 = light_arc(_e17, cut_3, start_2, stop_2, start_side_1, stop_side_1);
@@ -2664,17 +2666,17 @@ LightChords light_chords()
 float light_closed(LightChords chords_3, LightLine cut_4)
 {
     LightChords inside = (LightChords)0;
-    bool local_20 = (bool)0;
+    bool local_18 = (bool)0;
 
     inside = chords_3;
     float _e4 = inside.below;
     if ((_e4 > 0.0)) {
         float _e10 = inside.risen;
-        local_20 = (_e10 > 0.0);
+        local_18 = (_e10 > 0.0);
     } else {
-        local_20 = false;
+        local_18 = false;
     }
-    bool _e14 = local_20;
+    bool _e14 = local_18;
     if (_e14) {
         LightChords _e15 = inside;
         LightPoint _e17 = inside.setting;
@@ -2695,9 +2697,9 @@ float light_closed(LightChords chords_3, LightLine cut_4)
 // xi_t = 0, dimensionless (VWH18 3.4.2).
 //
 // The three vertices follow, either way round. A triangle that the line misses gives 0.
-float triangle_light_chord(float radius_22, float wavelength_25, float width_15, float view_t_2, float view_b_2, float ax, float ay, float az, float bx, float by, float bz, float cx, float cy, float cz)
+float triangle_light_chord(float radius_22, float wavelength_25, float width_14, float view_t_2, float view_b_2, float ax, float ay, float az, float bx, float by, float bz, float cx, float cy, float cz)
 {
-    const LightLine _e14 = light_line(wavelength_25, width_15, view_t_2, view_b_2);
+    const LightLine _e14 = light_line(wavelength_25, width_14, view_t_2, view_b_2);
     LightPoint a_9 = ConstructLightPoint(ax, ay, az);
     LightPoint b_15 = ConstructLightPoint(bx, by, bz);
     LightPoint c_12 = ConstructLightPoint(cx, cy, cz);
@@ -2708,7 +2710,7 @@ float triangle_light_chord(float radius_22, float wavelength_25, float width_15,
     const LightChords _e22 = light_edge(_e21, _e14, a_9, b_15, _e18, _e19);
     const LightChords _e23 = light_edge(_e22, _e14, b_15, c_12, _e19, _e20);
     const LightChords _e24 = light_edge(_e23, _e14, c_12, a_9, _e20, _e18);
-    const float _e25 = light_scale(radius_22, wavelength_25, width_15);
+    const float _e25 = light_scale(radius_22, wavelength_25, width_14);
     const float _e26 = light_closed(_e24, _e14);
     return (_e25 * _e26);
 }
@@ -2719,9 +2721,9 @@ float triangle_light_chord(float radius_22, float wavelength_25, float width_15,
 //
 // The four vertices follow in order, either way round, convex or not. A quadrilateral that the line
 // misses gives 0.
-float quad_light_chord(float radius_23, float wavelength_26, float width_16, float view_t_3, float view_b_3, float ax_1, float ay_1, float az_1, float bx_1, float by_1, float bz_1, float cx_1, float cy_1, float cz_1, float dx, float dy, float dz)
+float quad_light_chord(float radius_23, float wavelength_26, float width_15, float view_t_3, float view_b_3, float ax_1, float ay_1, float az_1, float bx_1, float by_1, float bz_1, float cx_1, float cy_1, float cz_1, float dx, float dy, float dz)
 {
-    const LightLine _e17 = light_line(wavelength_26, width_16, view_t_3, view_b_3);
+    const LightLine _e17 = light_line(wavelength_26, width_15, view_t_3, view_b_3);
     LightPoint a_10 = ConstructLightPoint(ax_1, ay_1, az_1);
     LightPoint b_16 = ConstructLightPoint(bx_1, by_1, bz_1);
     LightPoint c_13 = ConstructLightPoint(cx_1, cy_1, cz_1);
@@ -2735,7 +2737,7 @@ float quad_light_chord(float radius_23, float wavelength_26, float width_16, flo
     const LightChords _e28 = light_edge(_e27, _e17, b_16, c_13, _e23, _e24);
     const LightChords _e29 = light_edge(_e28, _e17, c_13, d_12, _e24, _e25);
     const LightChords _e30 = light_edge(_e29, _e17, d_12, a_10, _e25, _e22);
-    const float _e31 = light_scale(radius_23, wavelength_26, width_16);
+    const float _e31 = light_scale(radius_23, wavelength_26, width_15);
     const float _e32 = light_closed(_e30, _e17);
     return (_e31 * _e32);
 }
@@ -2747,14 +2749,14 @@ float quad_light_chord(float radius_23, float wavelength_26, float width_16, flo
 // `count` is the number of vertices; the vertices follow in order, either way round, convex or not;
 // those beyond the
 // count are not read. A polygon that the line misses gives 0.
-float polygon_light_chord(float radius_24, float wavelength_27, float width_17, float view_t_4, float view_b_4, float count, float ax_2, float ay_2, float az_2, float bx_2, float by_2, float bz_2, float cx_2, float cy_2, float cz_2, float dx_1, float dy_1, float dz_1, float ex, float ey, float ez, float fx, float fy, float fz, float gx, float gy, float gz, float hx, float hy, float hz)
+float polygon_light_chord(float radius_24, float wavelength_27, float width_16, float view_t_4, float view_b_4, float count, float ax_2, float ay_2, float az_2, float bx_2, float by_2, float bz_2, float cx_2, float cy_2, float cz_2, float dx_1, float dy_1, float dz_1, float ex, float ey, float ez, float fx, float fy, float fz, float gx, float gy, float gz, float hx, float hy, float hz)
 {
     LightChords chords_4 = (LightChords)0;
     LightPoint last_7 = (LightPoint)0;
     float last_side = (float)0;
     uint i = 1u;
 
-    const LightLine _e30 = light_line(wavelength_27, width_17, view_t_4, view_b_4);
+    const LightLine _e30 = light_line(wavelength_27, width_16, view_t_4, view_b_4);
     LightPoint a_11 = ConstructLightPoint(ax_2, ay_2, az_2);
     const float _e32 = light_side(_e30, a_11);
     const LightChords _e33 = light_chords();
@@ -2814,7 +2816,7 @@ float polygon_light_chord(float radius_24, float wavelength_27, float width_17, 
     float _e128 = last_side;
     const LightChords _e129 = light_edge(_e126, _e30, _e127, a_11, _e128, _e32);
     chords_4 = _e129;
-    const float _e130 = light_scale(radius_24, wavelength_27, width_17);
+    const float _e130 = light_scale(radius_24, wavelength_27, width_16);
     LightChords _e131 = chords_4;
     const float _e132 = light_closed(_e131, _e30);
     return (_e130 * _e132);
@@ -2832,16 +2834,16 @@ LightBand ConstructLightBand(float arg0, float arg1, float arg2, float arg3, flo
 
 // Returns the band of a view and a scratch, its reference at the direction of these bitangent
 // components.
-LightBand light_band(float radius_25, float wavelength_28, float width_18, float view_t_5, float view_b_5, float reference)
+LightBand light_band(float radius_25, float wavelength_28, float width_17, float view_t_5, float view_b_5, float reference)
 {
-    const LightBand lightband = ConstructLightBand((TWO_PI * (radius_25 / wavelength_28)), (width_18 / wavelength_28), view_t_5, view_b_5, (reference + view_b_5));
+    const LightBand lightband = ConstructLightBand((TWO_PI * (radius_25 / wavelength_28)), (ARC_PI * (width_17 / wavelength_28)), view_t_5, view_b_5, (reference + view_b_5));
     return lightband;
 }
 
 // Returns the factor from sums along an outline to the integral over the light, 1 over k W/2.
-float light_band_scale(float wavelength_29, float width_19)
+float light_band_scale(float wavelength_29, float width_18)
 {
-    return (wavelength_29 / (ARC_PI * width_19));
+    return (wavelength_29 / (ARC_PI * width_18));
 }
 
 // Returns -exp(-t^2) Phi dt for one node of a panel, at the half-angle tangent v from the middle of
@@ -2850,14 +2852,15 @@ float light_band_node(LightBand band, LightCircle circle, LightAngle middle_2, f
 {
     float inverse_8 = (1.0 / (1.0 + (v_3 * v_3)));
     float cosine_1 = ((1.0 - (v_3 * v_3)) * inverse_8);
-    float sine_5 = ((v_3 + v_3) * inverse_8);
-    float c_14 = ((middle_2.c * cosine_1) - (middle_2.s * sine_5));
-    float s_13 = ((middle_2.s * cosine_1) + (middle_2.c * sine_5));
+    float sine_6 = ((v_3 + v_3) * inverse_8);
+    float c_14 = ((middle_2.c * cosine_1) - (middle_2.s * sine_6));
+    float s_13 = ((middle_2.s * cosine_1) + (middle_2.c * sine_6));
     float t_6 = (band.along * ((circle.centre_t + band.view_t) + (circle.reach * c_14)));
     float b_17 = ((circle.centre_b + band.view_b) + ((circle.across_cosine * c_14) + (circle.across_sine * s_13)));
-    const float _e47 = arc_turns(band.width, band.reference, b_17, abs((b_17 - band.reference)));
-    const float _e54 = exponential(-((t_6 * t_6)));
-    return (((circle.reach * s_13) * (inverse_8 + inverse_8)) * (_e54 * _e47));
+    float way = (b_17 - band.reference);
+    const float _e52 = arc_of_extent((band.width * band.reference), (band.width * b_17), (band.width * abs(way)));
+    const float _e59 = exponential(-((t_6 * t_6)));
+    return (((circle.reach * s_13) * (inverse_8 + inverse_8)) * (_e59 * _e52));
 }
 
 LightAngle ConstructLightAngle(float arg0, float arg1) {
@@ -2871,9 +2874,9 @@ LightAngle ConstructLightAngle(float arg0, float arg1) {
 // one half turn.
 float light_band_piece(LightBand band_1, LightCircle circle_1, LightAngle start_3, LightAngle stop_3)
 {
+    bool local_19 = (bool)0;
+    bool local_20 = (bool)0;
     bool local_21 = (bool)0;
-    bool local_22 = (bool)0;
-    bool local_23 = (bool)0;
     float sum = 0.0;
     uint i_1 = 0u;
 
@@ -2881,27 +2884,27 @@ float light_band_piece(LightBand band_1, LightCircle circle_1, LightAngle start_
     float t_start = (band_1.along * (offset_8 + (circle_1.reach * start_3.c)));
     float t_stop = (band_1.along * (offset_8 + (circle_1.reach * stop_3.c)));
     if (!((min(t_start, t_stop) >= BAND_END))) {
-        local_21 = (max(t_start, t_stop) <= -3.5);
+        local_19 = (max(t_start, t_stop) <= -3.5);
     } else {
-        local_21 = true;
+        local_19 = true;
     }
-    bool _e29 = local_21;
+    bool _e29 = local_19;
     if (_e29) {
         return 0.0;
     }
     float height_5 = (start_3.s + stop_3.s);
     if (!((height_5 > 0.0))) {
         if ((height_5 == 0.0)) {
-            local_23 = (start_3.c > stop_3.c);
+            local_21 = (start_3.c > stop_3.c);
         } else {
-            local_23 = false;
+            local_21 = false;
         }
-        bool _e47 = local_23;
-        local_22 = _e47;
+        bool _e47 = local_21;
+        local_20 = _e47;
     } else {
-        local_22 = true;
+        local_20 = true;
     }
-    bool upper_6 = local_22;
+    bool upper_6 = local_20;
     float high_5 = min(max((((BAND_END / band_1.along) - offset_8) / circle_1.reach), -1.0), 1.0);
     float low_4 = min(max((((-3.5 / band_1.along) - offset_8) / circle_1.reach), -1.0), 1.0);
     float high_s = sqrt(((1.0 - high_5) * (1.0 + high_5)));
@@ -2926,7 +2929,7 @@ float light_band_piece(LightBand band_1, LightCircle circle_1, LightAngle start_
     float steepest = (((a_c * z_c) < 0.0) ? 1.0 : max(a_size, z_size));
     float swing = sqrt(((circle_1.across_cosine * circle_1.across_cosine) + (circle_1.across_sine * circle_1.across_sine)));
     float slope_2 = min(swing, (abs(((circle_1.across_sine * middle_8.c) - (circle_1.across_cosine * middle_8.s))) + (swing * reach_v)));
-    float measure = ((1.5 * ((band_1.along * circle_1.reach) * (steepest * angle))) + (1.5707964 * (band_1.width * (slope_2 * angle))));
+    float measure = ((1.5 * ((band_1.along * circle_1.reach) * (steepest * angle))) + (0.5 * (band_1.width * (slope_2 * angle))));
     float panels = min(max(ceil((measure / BAND_PANEL_LIMIT)), 1.0), 16.0);
     float panel = (reach_v / panels);
     bool loop_init_1 = true;
@@ -2977,18 +2980,18 @@ float light_band_arc(LightBand band_2, LightCircle circle_2, LightAngle start_4,
     float sum_1 = 0.0;
     LightAngle at = (LightAngle)0;
     bool first_10 = (bool)0;
+    bool local_22 = (bool)0;
+    bool local_23 = (bool)0;
+    bool open = (bool)0;
     bool local_24 = (bool)0;
     bool local_25 = (bool)0;
-    bool open = (bool)0;
+    bool falling = (bool)0;
     bool local_26 = (bool)0;
     bool local_27 = (bool)0;
-    bool falling = (bool)0;
+    uint k = 0u;
     bool local_28 = (bool)0;
     bool local_29 = (bool)0;
-    uint k = 0u;
     bool local_30 = (bool)0;
-    bool local_31 = (bool)0;
-    bool local_32 = (bool)0;
 
     float turn = ((start_4.c * stop_4.s) - (start_4.s * stop_4.c));
     float along_7 = ((start_4.c * stop_4.c) + (start_4.s * stop_4.s));
@@ -2996,43 +2999,43 @@ float light_band_arc(LightBand band_2, LightCircle circle_2, LightAngle start_4,
     first_10 = (reflex > 0.0);
     bool _e25 = first_10;
     if (!(_e25)) {
-        local_24 = (turn > 0.0);
+        local_22 = (turn > 0.0);
     } else {
-        local_24 = true;
+        local_22 = true;
     }
-    bool _e32 = local_24;
+    bool _e32 = local_22;
     if (!(_e32)) {
-        local_25 = (along_7 <= 0.0);
+        local_23 = (along_7 <= 0.0);
     } else {
-        local_25 = true;
+        local_23 = true;
     }
-    bool _e39 = local_25;
+    bool _e39 = local_23;
     open = _e39;
     if (!((start_4.s > 0.0))) {
         if ((start_4.s == 0.0)) {
-            local_27 = (start_4.c > 0.0);
+            local_25 = (start_4.c > 0.0);
         } else {
-            local_27 = false;
+            local_25 = false;
         }
-        bool _e56 = local_27;
-        local_26 = _e56;
+        bool _e56 = local_25;
+        local_24 = _e56;
     } else {
-        local_26 = true;
+        local_24 = true;
     }
-    bool _e58 = local_26;
+    bool _e58 = local_24;
     falling = _e58;
     if (!((stop_4.s > 0.0))) {
         if ((stop_4.s == 0.0)) {
-            local_29 = (stop_4.c < 0.0);
+            local_27 = (stop_4.c < 0.0);
         } else {
-            local_29 = false;
+            local_27 = false;
         }
-        bool _e75 = local_29;
-        local_28 = _e75;
+        bool _e75 = local_27;
+        local_26 = _e75;
     } else {
-        local_28 = true;
+        local_26 = true;
     }
-    bool stop_falling = local_28;
+    bool stop_falling = local_26;
     bool loop_init_2 = true;
     while(true) {
         if (!loop_init_2) {
@@ -3049,11 +3052,11 @@ float light_band_arc(LightBand band_2, LightCircle circle_2, LightAngle start_4,
             bool _e83 = open;
             if (_e83) {
                 uint _e86 = k;
-                local_30 = (_e86 < 3u);
+                local_28 = (_e86 < 3u);
             } else {
-                local_30 = false;
+                local_28 = false;
             }
-            bool _e90 = local_30;
+            bool _e90 = local_28;
             if (_e90) {
                 float _e93 = at.c;
                 float _e96 = at.c;
@@ -3061,18 +3064,18 @@ float light_band_arc(LightBand band_2, LightCircle circle_2, LightAngle start_4,
                 bool ahead = ((_e99 ? (_e96 - stop_4.c) : (stop_4.c - _e93)) >= 0.0);
                 bool _e103 = falling;
                 if ((_e103 == stop_falling)) {
-                    local_31 = ahead;
+                    local_29 = ahead;
                 } else {
-                    local_31 = false;
+                    local_29 = false;
                 }
-                bool _e108 = local_31;
+                bool _e108 = local_29;
                 if (_e108) {
                     bool _e111 = first_10;
-                    local_32 = !(_e111);
+                    local_30 = !(_e111);
                 } else {
-                    local_32 = false;
+                    local_30 = false;
                 }
-                bool last_9 = local_32;
+                bool last_9 = local_30;
                 bool _e117 = falling;
                 LightAngle corner = ConstructLightAngle((_e117 ? -1.0 : 1.0), 0.0);
                 LightAngle next_4 = ConstructLightAngle((last_9 ? stop_4.c : corner.c), (last_9 ? stop_4.s : corner.s));
@@ -3123,13 +3126,13 @@ LightCircle ConstructLightCircle(float arg0, float arg1, float arg2, float arg3,
 // (VWH18 3.4.1, for any place of the light).
 //
 // `x`, `y`, `z` is the sphere's centre, outside which the shaded point lies.
-float sphere_light(float radius_26, float wavelength_30, float width_20, float view_t_6, float view_b_6, float x_22, float y_7, float z_1, float sphere_radius_1)
+float sphere_light(float radius_26, float wavelength_30, float width_19, float view_t_6, float view_b_6, float x_22, float y_7, float z_1, float sphere_radius_1)
 {
     float sum_2 = 0.0;
 
     float far_4 = sqrt((((x_22 * x_22) + (y_7 * y_7)) + (z_1 * z_1)));
-    float sine_6 = min((sphere_radius_1 / far_4), 1.0);
-    float cosine_2 = sqrt(((1.0 - sine_6) * (1.0 + sine_6)));
+    float sine_7 = min((sphere_radius_1 / far_4), 1.0);
+    float cosine_2 = sqrt(((1.0 - sine_7) * (1.0 + sine_7)));
     float cx_6 = (x_22 / far_4);
     float cy_6 = (y_7 / far_4);
     float cz_6 = (z_1 / far_4);
@@ -3139,10 +3142,10 @@ float sphere_light(float radius_26, float wavelength_30, float width_20, float v
     float flat_n = ((tilt_2 == 0.0) ? 0.0 : (-((cx_6 * cz_6)) / tilt_2));
     float side_b = ((tilt_2 == 0.0) ? 0.0 : (cz_6 / tilt_2));
     float side_n = ((tilt_2 == 0.0) ? 1.0 : (-(cy_6) / tilt_2));
-    LightCircle circle_3 = ConstructLightCircle((cosine_2 * cx_6), (cosine_2 * cy_6), (sine_6 * tilt_2), (sine_6 * flat_b), (sine_6 * side_b));
-    const LightBand _e66 = light_band(radius_26, wavelength_30, width_20, view_t_6, view_b_6, (cosine_2 * cy_6));
-    float highest = ((sine_6 * level_1) + (cosine_2 * cz_6));
-    float lowest = ((cosine_2 * cz_6) - (sine_6 * level_1));
+    LightCircle circle_3 = ConstructLightCircle((cosine_2 * cx_6), (cosine_2 * cy_6), (sine_7 * tilt_2), (sine_7 * flat_b), (sine_7 * side_b));
+    const LightBand _e66 = light_band(radius_26, wavelength_30, width_19, view_t_6, view_b_6, (cosine_2 * cy_6));
+    float highest = ((sine_7 * level_1) + (cosine_2 * cz_6));
+    float lowest = ((cosine_2 * cz_6) - (sine_7 * level_1));
     float root_3 = sqrt(max(-((lowest * highest)), 0.0));
     bool whole_3 = (lowest >= 0.0);
     float down = -((cosine_2 * cz_6));
@@ -3164,7 +3167,7 @@ float sphere_light(float radius_26, float wavelength_30, float width_20, float v
             sum_2 = (_e109 + _e114);
         }
     }
-    const float _e116 = light_band_scale(wavelength_30, width_20);
+    const float _e116 = light_band_scale(wavelength_30, width_19);
     float _e117 = sum_2;
     return (_e116 * max(_e117, 0.0));
 }
@@ -3197,9 +3200,9 @@ float light_outline_arc(LightBand band_3, LightPoint start_5, LightPoint stop_5)
 LightOutline light_outline_edge(LightOutline outline, LightBand band_4, LightPoint start_6, LightPoint stop_6)
 {
     LightOutline next_3 = (LightOutline)0;
+    bool local_31 = (bool)0;
+    bool local_32 = (bool)0;
     bool local_33 = (bool)0;
-    bool local_34 = (bool)0;
-    bool local_35 = (bool)0;
 
     next_3 = outline;
     const LightPoint _e5 = light_horizon(start_6, stop_6);
@@ -3208,22 +3211,22 @@ LightOutline light_outline_edge(LightOutline outline, LightBand band_4, LightPoi
     LightPoint first_13 = ConstructLightPoint((up ? start_6.x : _e5.x), (up ? start_6.y : _e5.y), (up ? start_6.z : _e5.z));
     LightPoint last_10 = ConstructLightPoint((stays ? stop_6.x : _e5.x), (stays ? stop_6.y : _e5.y), (stays ? stop_6.z : _e5.z));
     if (!(up)) {
-        local_33 = stays;
+        local_31 = stays;
     } else {
-        local_33 = true;
+        local_31 = true;
     }
-    bool _e36 = local_33;
+    bool _e36 = local_31;
     if (_e36) {
         float _e38 = next_3.sum;
         const float _e39 = light_outline_arc(band_4, first_13, last_10);
         next_3.sum = (_e38 + _e39);
     }
     if (stays) {
-        local_34 = !(up);
+        local_32 = !(up);
     } else {
-        local_34 = false;
+        local_32 = false;
     }
-    bool _e45 = local_34;
+    bool _e45 = local_32;
     if (_e45) {
         float _e47 = next_3.below;
         if ((_e47 > 0.0)) {
@@ -3238,11 +3241,11 @@ LightOutline light_outline_edge(LightOutline outline, LightBand band_4, LightPoi
         }
     }
     if (up) {
-        local_35 = !(stays);
+        local_33 = !(stays);
     } else {
-        local_35 = false;
+        local_33 = false;
     }
-    bool _e65 = local_35;
+    bool _e65 = local_33;
     if (_e65) {
         next_3.setting = _e5;
         next_3.below = 1.0;
@@ -3274,15 +3277,15 @@ LightOutline light_outline()
 float light_outline_closed(LightOutline outline_1, LightBand band_5)
 {
     float sum_4 = (float)0;
-    bool local_36 = (bool)0;
+    bool local_34 = (bool)0;
 
     sum_4 = outline_1.sum;
     if ((outline_1.below > 0.0)) {
-        local_36 = (outline_1.risen > 0.0);
+        local_34 = (outline_1.risen > 0.0);
     } else {
-        local_36 = false;
+        local_34 = false;
     }
-    bool _e13 = local_36;
+    bool _e13 = local_34;
     if (_e13) {
         float _e14 = sum_4;
         const float _e17 = light_outline_arc(band_5, outline_1.setting, outline_1.rise);
@@ -3304,7 +3307,7 @@ float light_bitangent(LightPoint p_1)
 // (VWH18 3.4.2, for any place of the light).
 //
 // The three vertices follow, either way round.
-float triangle_light(float radius_27, float wavelength_31, float width_21, float view_t_7, float view_b_7, float ax_3, float ay_3, float az_3, float bx_3, float by_3, float bz_3, float cx_3, float cy_3, float cz_3)
+float triangle_light(float radius_27, float wavelength_31, float width_20, float view_t_7, float view_b_7, float ax_3, float ay_3, float az_3, float bx_3, float by_3, float bz_3, float cx_3, float cy_3, float cz_3)
 {
     LightOutline outline_2 = (LightOutline)0;
 
@@ -3312,7 +3315,7 @@ float triangle_light(float radius_27, float wavelength_31, float width_21, float
     LightPoint b_18 = ConstructLightPoint(bx_3, by_3, bz_3);
     LightPoint c_15 = ConstructLightPoint(cx_3, cy_3, cz_3);
     const float _e24 = light_bitangent(ConstructLightPoint(((ax_3 + bx_3) + cx_3), ((ay_3 + by_3) + cy_3), ((az_3 + bz_3) + cz_3)));
-    const LightBand _e25 = light_band(radius_27, wavelength_31, width_21, view_t_7, view_b_7, _e24);
+    const LightBand _e25 = light_band(radius_27, wavelength_31, width_20, view_t_7, view_b_7, _e24);
     const LightOutline _e26 = light_outline();
     const LightOutline _e27 = light_outline_edge(_e26, _e25, a_12, b_18);
     outline_2 = _e27;
@@ -3322,7 +3325,7 @@ float triangle_light(float radius_27, float wavelength_31, float width_21, float
     LightOutline _e31 = outline_2;
     const LightOutline _e32 = light_outline_edge(_e31, _e25, c_15, a_12);
     outline_2 = _e32;
-    const float _e33 = light_band_scale(wavelength_31, width_21);
+    const float _e33 = light_band_scale(wavelength_31, width_20);
     LightOutline _e34 = outline_2;
     const float _e35 = light_outline_closed(_e34, _e25);
     return (_e33 * _e35);
@@ -3333,7 +3336,7 @@ float triangle_light(float radius_27, float wavelength_31, float width_21, float
 // dimensionless (VWH18 3.4.2, for any place of the light).
 //
 // The four vertices follow in order, either way round, convex or not.
-float quad_light(float radius_28, float wavelength_32, float width_22, float view_t_8, float view_b_8, float ax_4, float ay_4, float az_4, float bx_4, float by_4, float bz_4, float cx_4, float cy_4, float cz_4, float dx_2, float dy_2, float dz_2)
+float quad_light(float radius_28, float wavelength_32, float width_21, float view_t_8, float view_b_8, float ax_4, float ay_4, float az_4, float bx_4, float by_4, float bz_4, float cx_4, float cy_4, float cz_4, float dx_2, float dy_2, float dz_2)
 {
     LightOutline outline_3 = (LightOutline)0;
 
@@ -3342,7 +3345,7 @@ float quad_light(float radius_28, float wavelength_32, float width_22, float vie
     LightPoint c_16 = ConstructLightPoint(cx_4, cy_4, cz_4);
     LightPoint d_13 = ConstructLightPoint(dx_2, dy_2, dz_2);
     const float _e31 = light_bitangent(ConstructLightPoint(((ax_4 + bx_4) + (cx_4 + dx_2)), ((ay_4 + by_4) + (cy_4 + dy_2)), ((az_4 + bz_4) + (cz_4 + dz_2))));
-    const LightBand _e32 = light_band(radius_28, wavelength_32, width_22, view_t_8, view_b_8, _e31);
+    const LightBand _e32 = light_band(radius_28, wavelength_32, width_21, view_t_8, view_b_8, _e31);
     const LightOutline _e33 = light_outline();
     const LightOutline _e34 = light_outline_edge(_e33, _e32, a_13, b_19);
     outline_3 = _e34;
@@ -3355,7 +3358,7 @@ float quad_light(float radius_28, float wavelength_32, float width_22, float vie
     LightOutline _e40 = outline_3;
     const LightOutline _e41 = light_outline_edge(_e40, _e32, d_13, a_13);
     outline_3 = _e41;
-    const float _e42 = light_band_scale(wavelength_32, width_22);
+    const float _e42 = light_band_scale(wavelength_32, width_21);
     LightOutline _e43 = outline_3;
     const float _e44 = light_outline_closed(_e43, _e32);
     return (_e42 * _e44);
@@ -3368,7 +3371,7 @@ float quad_light(float radius_28, float wavelength_32, float width_22, float vie
 // `count` is the number of vertices; the vertices follow in order, either way round, convex or not;
 // those beyond the
 // count are not read.
-float polygon_light(float radius_29, float wavelength_33, float width_23, float view_t_9, float view_b_9, float count_1, float ax_5, float ay_5, float az_5, float bx_5, float by_5, float bz_5, float cx_5, float cy_5, float cz_5, float dx_3, float dy_3, float dz_3, float ex_1, float ey_1, float ez_1, float fx_1, float fy_1, float fz_1, float gx_1, float gy_1, float gz_1, float hx_1, float hy_1, float hz_1)
+float polygon_light(float radius_29, float wavelength_33, float width_22, float view_t_9, float view_b_9, float count_1, float ax_5, float ay_5, float az_5, float bx_5, float by_5, float bz_5, float cx_5, float cy_5, float cz_5, float dx_3, float dy_3, float dz_3, float ex_1, float ey_1, float ez_1, float fx_1, float fy_1, float fz_1, float gx_1, float gy_1, float gz_1, float hx_1, float hy_1, float hz_1)
 {
     LightOutline outline_4 = (LightOutline)0;
     LightPoint last_8 = (LightPoint)0;
@@ -3376,7 +3379,7 @@ float polygon_light(float radius_29, float wavelength_33, float width_23, float 
 
     LightPoint a_14 = ConstructLightPoint(ax_5, ay_5, az_5);
     const float _e31 = light_bitangent(a_14);
-    const LightBand _e32 = light_band(radius_29, wavelength_33, width_23, view_t_9, view_b_9, _e31);
+    const LightBand _e32 = light_band(radius_29, wavelength_33, width_22, view_t_9, view_b_9, _e31);
     const LightOutline _e33 = light_outline();
     outline_4 = _e33;
     last_8 = a_14;
@@ -3429,7 +3432,7 @@ float polygon_light(float radius_29, float wavelength_33, float width_23, float 
     LightPoint _e124 = last_8;
     const LightOutline _e125 = light_outline_edge(_e123, _e32, _e124, a_14);
     outline_4 = _e125;
-    const float _e126 = light_band_scale(wavelength_33, width_23);
+    const float _e126 = light_band_scale(wavelength_33, width_22);
     LightOutline _e127 = outline_4;
     const float _e128 = light_outline_closed(_e127, _e32);
     return (_e126 * _e128);

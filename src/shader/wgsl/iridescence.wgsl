@@ -500,17 +500,24 @@ fn arc_of_phases(ends: ArcEnds, extent: f32, near_rest: f32, far_rest: f32) -> f
         far_wave, gauss_sum);
 }
 
+// Returns the integral of (sin t / t)^2 from q0 to q1 (radians), whose difference is known apart
+// from them, to f32 grade;
+// `extent` is its magnitude.
+fn arc_of_extent(first: f32, last: f32, extent: f32) -> f32 {
+    let ends = arc_ends(first, last);
+    let near = reduce_half_turns(min(ends.near, ARC_PHASE_LIMIT));
+    let far = reduce_half_turns(min(ends.far, ARC_PHASE_LIMIT));
+    let value = arc_of_phases(ends, extent, near.rest, far.rest);
+    return select(value, -value, last < first);
+}
+
 // Returns the integral of (sin t / t)^2 from q0 to q1 (radians), to f32 grade.
 //
 // Never negative for q0 <= q1, antisymmetric in its bounds, even in their signs. The phase is exact
 // to 1e-7 for
 // |q| to 1e4. VWH18 Eq. 27.
 fn sinc_squared_integral(first: f32, last: f32) -> f32 {
-    let ends = arc_ends(first, last);
-    let near = reduce_half_turns(min(ends.near, ARC_PHASE_LIMIT));
-    let far = reduce_half_turns(min(ends.far, ARC_PHASE_LIMIT));
-    let value = arc_of_phases(ends, ends.far - ends.near, near.rest, far.rest);
-    let signed = select(value, -value, last < first);
+    let signed = arc_of_extent(first, last, abs(abs(last) - abs(first)));
     return select(signed, 0.0f, first == last);
 }
 
@@ -528,20 +535,6 @@ fn product_fraction(x: f32, y: f32) -> f32 {
     return fraction - round(fraction);
 }
 
-// Returns the integral of (sin t / t)^2 over t = pi (W/lambda) xi between two direction cosines
-// whose difference is
-// known apart from them, to f32 grade; `extent` is its magnitude.
-fn arc_turns(width: f32, first: f32, last: f32, extent: f32) -> f32 {
-    let xi = arc_ends(first, last);
-    let scale = ARC_PI * width;
-    let ends = ArcEnds(scale * xi.near, scale * xi.far, xi.straddles);
-    let near_rest = ARC_PI * product_fraction(width, xi.near);
-    let far_rest = ARC_PI * product_fraction(width, xi.far);
-    let value = arc_of_phases(ends, scale * extent, near_rest, far_rest);
-    let signed = select(value, -value, last < first);
-    return select(signed, 0.0f, extent == 0.0f);
-}
-
 // Returns the integral of (sin t / t)^2 over t = pi (W/lambda) xi between two direction cosines, to
 // f32 grade.
 //
@@ -551,7 +544,14 @@ fn arc_turns(width: f32, first: f32, last: f32, extent: f32) -> f32 {
 // lose digits in
 // proportion; a negative width has no meaning. VWH18 Eq. 27.
 fn sinc_squared_integral_turns(width: f32, first: f32, last: f32) -> f32 {
-    return arc_turns(width, first, last, abs(abs(last) - abs(first)));
+    let xi = arc_ends(first, last);
+    let scale = ARC_PI * width;
+    let ends = ArcEnds(scale * xi.near, scale * xi.far, xi.straddles);
+    let near_rest = ARC_PI * product_fraction(width, xi.near);
+    let far_rest = ARC_PI * product_fraction(width, xi.far);
+    let value = arc_of_phases(ends, scale * (xi.far - xi.near), near_rest, far_rest);
+    let signed = select(value, -value, last < first);
+    return select(signed, 0.0f, first == last);
 }
 
 // Returns H(2q) for q below the border, to 1e-8.
@@ -2312,7 +2312,7 @@ struct LightLine {
     rest: f32,
     // The view's bitangent component.
     view: f32,
-    // Width over wavelength.
+    // k W/2.
     width: f32,
 }
 
@@ -2338,8 +2338,8 @@ struct LightChords {
 
 // Returns the line xi_t = 0 for a view and a scratch.
 fn light_line(wavelength: f32, width: f32, view_t: f32, view_b: f32) -> LightLine {
-    return LightLine(-view_t, max((1.0f - view_t) * (1.0f + view_t), 0.0f), view_b, width /
-        wavelength);
+    return LightLine(-view_t, max((1.0f - view_t) * (1.0f + view_t), 0.0f), view_b, ARC_PI * (width
+        / wavelength));
 }
 
 // Returns the band's Gaussian integral over k W/2: what turns an arc of sinc^2 into the integral
@@ -2364,29 +2364,40 @@ fn sphere_light_chord(radius: f32, wavelength: f32, width: f32, view_t: f32, vie
     let per_square = 1.0f / square;
     let per_tilt = 1.0f / tilt;
     let p = cut.x - (tangent * per_square) * x;
-    let reach = (sphere_radius * per_square) * sqrt(tilt);
-    let discriminant = (reach - p) * (reach + p);
+    let sine = sphere_radius * per_square;
+    let discriminant = (sine * sine) * tilt - p * p;
     let root = sqrt(max(discriminant, 0.0f) * square) * per_tilt;
     let level = tangent * per_square - (p * per_tilt) * x;
     let centre_b = y * level;
     let reach_b = z * root;
     let left_z = z * level + y * root;
     let right_z = z * level - y * root;
-    let edge = sqrt(cut.rest);
     let met = discriminant > 0.0f;
-    let both_below = left_z < 0.0f && right_z < 0.0f;
-    let depth = level * tilt;
-    let inside = select(depth, depth + abs(y) * edge, met) < 0.0f;
-    let above = left_z >= 0.0f && right_z >= 0.0f && met;
-    let left = select(-edge, min(max(centre_b - reach_b, -edge), edge), left_z >= 0.0f && met);
-    let right = select(edge, min(max(centre_b + reach_b, -edge), edge), right_z >= 0.0f && met);
-    let extent = select(abs(right - left), abs(reach_b + reach_b), above);
-    var value = arc_turns(cut.width, left + cut.view, right + cut.view, extent);
-    if above && reach_b < 0.0f {
-        value += arc_turns(cut.width, cut.view - edge, cut.view + edge, edge + edge);
+    let left_up = left_z >= 0.0f && met;
+    let right_up = right_z >= 0.0f && met;
+    let above = left_up && right_up;
+    var left = centre_b - reach_b;
+    var right = centre_b + reach_b;
+    var extent = abs(reach_b + reach_b);
+    var gap = 0.0f;
+    var seen = true;
+    if !above || reach_b < 0.0f {
+        let edge = sqrt(cut.rest);
+        let depth = level * tilt;
+        let inside = select(depth, depth + abs(y) * edge, met) < 0.0f;
+        seen = left_up || right_up || inside;
+        left = select(-edge, min(max(left, -edge), edge), left_up);
+        right = select(edge, min(max(right, -edge), edge), right_up);
+        extent = select(abs(right - left), extent, above);
+        if above {
+            gap = arc_of_extent(cut.width * (cut.view - edge), cut.width * (cut.view + edge),
+                cut.width * (edge + edge));
+        }
     }
-    let seen = select(value, 0.0f, (both_below || !met) && !inside);
-    return light_scale(radius, wavelength, width) * max(seen, 0.0f);
+    let arc = arc_of_extent(cut.width * (left + cut.view), cut.width * (right + cut.view), cut.width
+        * extent);
+    let value = select(0.0f, gap + arc, seen);
+    return light_scale(radius, wavelength, width) * max(value, 0.0f);
 }
 
 // Returns where an outline has met the line once more, at a direction of these two components: the
@@ -2404,7 +2415,8 @@ fn light_crossing(chords: LightChords, cut: LightLine, b: f32, n: f32, direction
         let sum_n = abs(n + chords.begin_n);
         let by_normals = abs(n - chords.begin_n) * sum_n / sum_b;
         let extent = select(abs(b - chords.begin_b), by_normals, sum_n < sum_b);
-        let arc = arc_turns(cut.width, chords.begin_b + cut.view, b + cut.view, extent);
+        let arc = arc_of_extent(cut.width * (chords.begin_b + cut.view), cut.width * (b + cut.view),
+            cut.width * extent);
         next.sum = chords.sum + direction * arc;
         next.open = 1.0f;
     }
@@ -2611,7 +2623,7 @@ const BAND_WEIGHT_D: f32 = 0.101228535f;
 struct LightBand {
     // sigma k.
     along: f32,
-    // Width over wavelength.
+    // k W/2.
     width: f32,
     // The view's tangent component.
     view_t: f32,
@@ -2648,8 +2660,8 @@ struct LightAngle {
 // components.
 fn light_band(radius: f32, wavelength: f32, width: f32, view_t: f32, view_b: f32, reference: f32) ->
     LightBand {
-    return LightBand(TWO_PI * (radius / wavelength), width / wavelength, view_t, view_b, reference +
-        view_b);
+    return LightBand(TWO_PI * (radius / wavelength), ARC_PI * (width / wavelength), view_t, view_b,
+        reference + view_b);
 }
 
 // Returns the factor from sums along an outline to the integral over the light, 1 over k W/2.
@@ -2667,7 +2679,8 @@ fn light_band_node(band: LightBand, circle: LightCircle, middle: LightAngle, v: 
     let s = middle.s * cosine + middle.c * sine;
     let t = band.along * ((circle.centre_t + band.view_t) + circle.reach * c);
     let b = (circle.centre_b + band.view_b) + (circle.across_cosine * c + circle.across_sine * s);
-    let phi = arc_turns(band.width, band.reference, b, abs(b - band.reference));
+    let way = b - band.reference;
+    let phi = arc_of_extent(band.width * band.reference, band.width * b, band.width * abs(way));
     return ((circle.reach * s) * (inverse + inverse)) * (exponential(-(t * t)) * phi);
 }
 
@@ -2711,8 +2724,8 @@ fn light_band_piece(band: LightBand, circle: LightCircle, start: LightAngle, sto
         circle.across_sine);
     let slope = min(swing, abs(circle.across_sine * middle.c - circle.across_cosine * middle.s) +
         swing * reach_v);
-    let measure = 1.5f * ((band.along * circle.reach) * (steepest * angle)) + (0.5f * ARC_PI) *
-        (band.width * (slope * angle));
+    let measure = 1.5f * ((band.along * circle.reach) * (steepest * angle)) + 0.5f * (band.width *
+        (slope * angle));
     let panels = min(max(ceil(measure / BAND_PANEL_LIMIT), 1.0f), 16.0f);
     let panel = reach_v / panels;
     var sum = 0.0f;

@@ -3,6 +3,7 @@
 use iridescence::shader;
 
 use crate::adapter::Kernel;
+use crate::comparison::Continuous;
 
 /// A Rust function of the subset on one row.
 #[derive(Clone, Copy, Debug)]
@@ -173,6 +174,44 @@ pub const CATALOGUE: &[Entry] = &[
             y.copy_from_slice(&[both.sine, both.cosine]);
         },
     },
+    plain("sphere_light", 9, |x, y| {
+        y[0] = shader::sphere_light(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8])
+    }),
+    plain("sphere_light_chord", 9, |x, y| {
+        y[0] = shader::sphere_light_chord(x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8])
+    }),
+    plain("triangle_light", 14, |x, y| {
+        y[0] = shader::triangle_light(
+            x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], x[10], x[11], x[12], x[13],
+        )
+    }),
+    plain("triangle_light_chord", 14, |x, y| {
+        y[0] = shader::triangle_light_chord(
+            x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], x[10], x[11], x[12], x[13],
+        )
+    }),
+    plain("quad_light", 17, |x, y| {
+        y[0] = shader::quad_light(
+            x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], x[10], x[11], x[12], x[13], x[14], x[15], x[16],
+        )
+    }),
+    plain("quad_light_chord", 17, |x, y| {
+        y[0] = shader::quad_light_chord(
+            x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], x[10], x[11], x[12], x[13], x[14], x[15], x[16],
+        )
+    }),
+    plain("polygon_light", 30, |x, y| {
+        y[0] = shader::polygon_light(
+            x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], x[10], x[11], x[12], x[13], x[14], x[15],
+            x[16], x[17], x[18], x[19], x[20], x[21], x[22], x[23], x[24], x[25], x[26], x[27], x[28], x[29],
+        )
+    }),
+    plain("polygon_light_chord", 30, |x, y| {
+        y[0] = shader::polygon_light_chord(
+            x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], x[9], x[10], x[11], x[12], x[13], x[14], x[15],
+            x[16], x[17], x[18], x[19], x[20], x[21], x[22], x[23], x[24], x[25], x[26], x[27], x[28], x[29],
+        )
+    }),
 ];
 
 /// Writes a complex number into a row of results.
@@ -215,7 +254,20 @@ const fn direction(name: &'static str, arguments: usize, call: fn(&[f32], &mut [
     }
 }
 
+/// A hundred-thousandth of the lobe's integral over the whole plane.
+fn light_bound(row: &[f32]) -> f64 {
+    let [radius, wavelength, width] = [row[0], row[1], row[2]].map(f64::from);
+    1e-5 * (wavelength / radius) * (wavelength / width)
+}
+
 impl Entry {
+    /// The bound across its decisions, where they only choose between forms of one value: an area light chooses how many
+    /// panels to sum, on a thousand operations.
+    pub fn continuous(&self) -> Option<Continuous> {
+        let light = ["sphere_light", "triangle_light", "quad_light", "polygon_light"];
+        light.contains(&self.name).then_some(light_bound)
+    }
+
     /// The WGSL function of the same name.
     pub fn kernel(&self) -> Kernel {
         Kernel {

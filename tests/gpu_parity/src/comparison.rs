@@ -34,6 +34,10 @@ fn distance(a: f32, b: f32) -> u64 {
     rank(a).abs_diff(rank(b))
 }
 
+/// What a result may differ by where a decision hangs on less than the allowed error: the bound of a row, for functions
+/// whose decisions only choose between forms of one value.
+pub type Continuous = fn(&[f32]) -> f64;
+
 /// Compares results of the device with those of Rust, row by row.
 pub fn compare(
     program: &Program,
@@ -42,6 +46,19 @@ pub fn compare(
     rows: &[f32],
     rust: &[f32],
     device: &[f32],
+) -> Result<Comparison, String> {
+    compare_continuous(program, name, arguments, rows, rust, device, None)
+}
+
+/// [`compare`], of a function that may be continuous across its decisions.
+pub fn compare_continuous(
+    program: &Program,
+    name: &str,
+    arguments: usize,
+    rows: &[f32],
+    rust: &[f32],
+    device: &[f32],
+    continuous: Option<Continuous>,
 ) -> Result<Comparison, String> {
     let count = rows.len() / arguments;
     let width = rust.len() / count.max(1);
@@ -77,7 +94,17 @@ pub fn compare(
             continue;
         }
         if trace.undecided {
-            found.undecided += 1;
+            let Some(allowed) = continuous else {
+                found.undecided += 1;
+                continue;
+            };
+            let bound = allowed(row);
+            for (&a, &b) in ours.iter().zip(theirs) {
+                let difference = (f64::from(a) - f64::from(b)).abs();
+                if difference.is_nan() || difference > bound {
+                    found.failures.push((row.to_vec(), a, b, bound));
+                }
+            }
             continue;
         }
         for ((&a, &b), allowed) in ours.iter().zip(theirs).zip(&trace.results) {
@@ -168,6 +195,18 @@ mod tests {
         assert_eq!(found.failures.len(), 1);
         assert_eq!(found.failures[0].0, [4.0]);
         assert_eq!(found.worst, [4.0]);
+    }
+
+    #[test]
+    fn a_function_that_is_continuous_across_its_decisions_is_judged_on_both_sides_of_them() {
+        let text = "fn f(x: f32) -> f32 { if x / 3.0 > 1.0 { return x; } return 3.0; }";
+        let program = Program::parse(text).expect("valid WGSL");
+        let rows = [3.0f32];
+        let judged = |device: f32| {
+            let found = compare_continuous(&program, "f", 1, &rows, &[3.0], &[device], Some(|_| 1e-3));
+            found.expect("comparable").failures.len()
+        };
+        assert_eq!((judged(3.0005), judged(3.1), judged(f32::NAN)), (0, 1, 1));
     }
 
     #[test]

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use gpu_parity::adapter::Adapter;
 use gpu_parity::catalogue::{CATALOGUE, Entry};
-use gpu_parity::comparison::{Comparison, compare};
+use gpu_parity::comparison::{Comparison, compare_continuous};
 use gpu_parity::inputs;
 use gpu_parity::trace::Program;
 use iridescence::shader::WGSL;
@@ -21,8 +21,16 @@ fn measure(adapter: &Adapter, wgsl: &str, step: usize) -> Vec<Comparison> {
     let one = |entry: &Entry| {
         let rows = thinned(&inputs::rows_for(entry.name, entry.arguments), entry.arguments, step);
         let device = adapter.run(wgsl, &entry.kernel(), &rows);
-        compare(&program, entry.name, entry.arguments, &rows, &entry.run(&rows), &device)
-            .unwrap_or_else(|e| panic!("{e}"))
+        compare_continuous(
+            &program,
+            entry.name,
+            entry.arguments,
+            &rows,
+            &entry.run(&rows),
+            &device,
+            entry.continuous(),
+        )
+        .unwrap_or_else(|e| panic!("{e}"))
     };
     CATALOGUE.iter().map(one).collect()
 }
@@ -160,13 +168,14 @@ fn a_changed_coefficient_is_seen_on_the_device() {
     for entry in CATALOGUE {
         let rows = thinned(&inputs::rows_for(entry.name, entry.arguments), entry.arguments, 16);
         let device = adapter.run(&text, &entry.kernel(), &rows);
-        let found = compare(
+        let found = compare_continuous(
             &committed,
             entry.name,
             entry.arguments,
             &rows,
             &entry.run(&rows),
             &device,
+            entry.continuous(),
         )
         .unwrap_or_else(|e| panic!("{e}"));
         failures += faults(&[found], adapter.is_software()).len();
@@ -185,6 +194,8 @@ fn is_limit(wgsl: &str, n: usize) -> bool {
 /// Whether a text gives other bits than Rust on every `step`-th row of some function.
 fn differs(program: &Program, step: usize) -> bool {
     CATALOGUE.iter().any(|entry| {
+        // A light over the whole band takes ten thousand operations.
+        let step = if entry.continuous().is_some() { 2 * step } else { step };
         let rows = thinned(&inputs::rows_for(entry.name, entry.arguments), entry.arguments, step);
         rows.chunks_exact(entry.arguments)
             .zip(entry.run(&rows).chunks_exact(entry.fields.len().max(1)))

@@ -12,6 +12,7 @@ mod galsim;
 pub mod gsl;
 #[cfg(feature = "libcerf")]
 pub mod libcerf;
+pub mod light;
 
 /// Si by Cephes, through crate `spec_math`; it computes Ci in the same call.
 pub fn sine_integral_cephes(x: f64) -> f64 {

@@ -6,6 +6,7 @@ pub mod error_time;
 pub mod failures;
 pub mod key;
 pub mod labels;
+pub mod light_sizes;
 pub mod marker;
 pub mod palette;
 pub mod svg;

@@ -3,7 +3,7 @@
 use super::LOGARITHM;
 use crate::chart::cuts;
 use crate::chart::digits::{self, Frame, Measure, Scale};
-use crate::error_map::{self, ASPECTS, FOOTPRINT_METHODS, SHIFT, TRIANGLE_METHODS, WORTHLESS};
+use crate::error_map::{self, ASPECTS, FOOTPRINT_METHODS, LIGHT_METHODS, SHIFT, TRIANGLE_METHODS, WORTHLESS};
 use crate::fourier_figures::Direction;
 use crate::ledger::Entry;
 use crate::map_grid::{NOT_FINITE, Panel};
@@ -154,6 +154,63 @@ pub fn triangle(panels: &[Panel], _: &[Entry]) -> String {
     ];
     digits::draw(
         "Error of the triangular groove: WVJH17 Eqs. 29 to 31, and ours",
+        &cause,
+        &frames,
+        panels,
+        Measure::Errors,
+    )
+}
+
+/// The map of a sphere's light: high in the sky above, at the horizon below.
+pub fn light(panels: &[Panel], _: &[Entry]) -> String {
+    let mut frames = Vec::new();
+    let mut shares = Vec::new();
+    for window in 0..2 {
+        for (j, method) in LIGHT_METHODS.into_iter().enumerate() {
+            let number = window * LIGHT_METHODS.len() + j;
+            let whose = match method {
+                "as_printed" => "as printed",
+                "vwh18" => "roots mended",
+                "chord" => "and cone and Si",
+                _ => "ours, 10^-3^",
+            };
+            if window == 0 && method != "within_1e-3" {
+                let share = panels.iter().find(|p| p.number == number).map_or(0.0, |p| p.hopeless);
+                shares.push(format!("{share:.0} % ({whose})"));
+            }
+            let place = ["high", "at the horizon"][window];
+            frames.push(Frame {
+                number,
+                lines: [format!("{whose}, {place}"), largest(panels, number, true)],
+                x: Scale {
+                    range: error_map::LIGHT_RADIUS,
+                    step: 1.0,
+                    name: "radius of the light in degrees",
+                    ..LOGARITHM
+                },
+                y: Scale {
+                    range: error_map::EDGE,
+                    step: 2.0,
+                    name: "its edge, in deviations of the band",
+                    ..LINEAR
+                },
+            });
+        }
+    }
+    let [sigma, lambda, width] = error_map::LIGHT_SCRATCH;
+    let cause = [
+        format!(
+            "Error as a multiple of the value, or of a thousandth of the whole plane's: \u{3c3} = {sigma} \u{3bc}m, \u{3bb} = {lambda} \u{3bc}m, W = {width} \u{3bc}m; edge < 0: the line lies over the light."
+        ),
+        "Roots: Eq. 35 takes one root's inverse for the other: first column. Si: the fit of Eq. 29 does not cancel over the chord of a small light; disc for".to_string(),
+        "cone: Eq. 31 is short by up to a third at 60 degrees: second column. Inside the band, tangency: one chord stands for a light whose edge".to_string(),
+        format!(
+            "is within 3 deviations, and 0 for one beside the line: third column, above -3. Off by more than {WORTHLESS} %, high: {}.",
+            shares.join(", ")
+        ),
+    ];
+    digits::draw(
+        "Error of a sphere's light: VWH18 3.4.1, and ours",
         &cause,
         &frames,
         panels,

@@ -3,6 +3,9 @@
 use super::{ROWS, fraction, logarithmic};
 use std::f64::consts::TAU;
 
+/// Rows of a function of an area light: a thousand operations each.
+const LIGHTS: usize = 2048;
+
 /// What an argument is, lengths in um.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Quantity {
@@ -157,8 +160,55 @@ fn reduced_footprints() -> Vec<f32> {
         .collect()
 }
 
+/// Rows of area lights: scratches and views with a light near the line xi_t = 0, large and small, over the horizon and at it.
+fn lights(name: &str) -> Option<Vec<f32>> {
+    let kind = name.strip_suffix("_chord").unwrap_or(name);
+    let vertices = match kind {
+        "sphere_light" => 0,
+        "triangle_light" => 3,
+        "quad_light" => 4,
+        "polygon_light" => 8,
+        _ => return None,
+    };
+    let mut rows = Vec::new();
+    for i in 0..LIGHTS {
+        let between = |stream: u64, low: f64, high: f64| low + (high - low) * fraction(i, stream);
+        let (sine, cosine) = between(60, 0.0, TAU).sin_cos();
+        let size = between(61, 0.0, 1.0).sqrt();
+        let view = [size * cosine, size * sine];
+        rows.extend([between(62, 10.0, 60.0), between(63, 0.38, 0.78), between(64, 0.5, 10.0)].map(|x| x as f32));
+        rows.extend(view.map(|x| x as f32));
+        let angle = f64::from(logarithmic(i, 65, 1e-3, 1.0).abs());
+        let x = (between(66, -1.0, 1.0) * (angle.sin() + 0.01) - view[0]).clamp(-0.99, 0.99);
+        let (sine, cosine) = between(67, -0.2, 3.34).sin_cos();
+        let rest = (1.0 - x * x).sqrt();
+        let centre = [x, rest * cosine, rest * sine];
+        if vertices == 0 {
+            rows.extend(centre.map(|x| x as f32));
+            rows.push(angle.sin() as f32);
+            continue;
+        }
+        let count = if vertices == 8 { 3 + i % 6 } else { vertices };
+        if vertices == 8 {
+            rows.push(count as f32);
+        }
+        for k in 0..vertices {
+            let turn = TAU * (k as f64 + 0.5 * between(68 + k as u64, 0.0, 1.0)) / count as f64;
+            let reach = angle.tan() * between(76 + k as u64, 0.3, 1.0);
+            for (axis, centre) in centre.into_iter().enumerate() {
+                let [a, b] = [84, 87].map(|stream| between(stream + axis as u64, -1.0, 1.0));
+                rows.push((centre + reach * (a * turn.cos() + b * turn.sin())) as f32);
+            }
+        }
+    }
+    Some(rows)
+}
+
 /// Rows for the function of this name, if it is one of a scene.
 pub(super) fn rows(name: &str) -> Option<Vec<f32>> {
+    if let Some(rows) = lights(name) {
+        return Some(rows);
+    }
     if name.starts_with("footprint_mean_reduced") {
         return Some(reduced_footprints());
     }

@@ -231,9 +231,9 @@ pub fn sphere_light_vwh18(row: &[f64], repairs: LightRepairs) -> f64 {
     lobe.segment([q0.min(q1) + 0.0 * (q0 + q1), q0.max(q1)], repairs)
 }
 
-/// The bitangent cosine to which an end below the surface, at `y`, is moved: where the line meets the arc of the horizon
-/// between the two roots of Eq. 37, the nearer place of two. The corner case of a disc seen edge on needs nothing of its
-/// own in f64.
+/// The bitangent cosine to which an end below the surface, at `y`, is moved: where the line meets the arc of the
+/// horizon between the two roots of Eq. 37, the nearer place of two. The corner case of a disc seen edge on needs
+/// nothing of its own in f64.
 fn snapped(disc: &Disc, view_x: f64, y: f64, repairs: LightRepairs) -> Option<f64> {
     let [t, b] = disc.axes;
     let roots = half_angle_roots_vwh18_35([t[2], b[2], disc.centre[2]], repairs.roots)?;

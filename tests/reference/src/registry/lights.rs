@@ -8,6 +8,7 @@ use crate::as_printed::{self, LightRepairs};
 use crate::generate::lights as rows;
 use crate::metrics::Reference;
 use crate::oracle::light as oracle;
+use crate::peers::light::{sphere_light_samples, sphere_light_samples_portable};
 use iridescence::diffraction::Coherence;
 use iridescence::light::{self, ScratchLobe, Sphere};
 use iridescence::shader;
@@ -22,6 +23,10 @@ pub const SPHERE: &str = "sphere_light";
 pub const POLYGON: &str = "polygon_light";
 const SPHERE_CHORD: &str = "sphere_light_chord";
 const QUAD_CHORD: &str = "quad_light_chord";
+/// Monte Carlo in f32, 64 samples a row: among the methods of the chord, whose cost it measures.
+pub const SAMPLES: &str = "monte_carlo_64";
+/// The same with the elementary functions of the kernels.
+pub const PORTABLE_SAMPLES: &str = "monte_carlo_64_portable";
 
 const ORACLE: &str = "adaptive two-dimensional quadrature, 1e-12";
 const CHORD_ORACLE: &str = "bracketed chord ends and panels of quadrature, 1e-13";
@@ -315,7 +320,13 @@ pub(super) fn methods() -> Vec<Method> {
     methods
 }
 
-fn published(function: &'static str, method: &'static str, label: &'static str, call: Call, domain: Generator) -> Method {
+fn published(
+    function: &'static str,
+    method: &'static str,
+    label: &'static str,
+    call: Call,
+    domain: Generator,
+) -> Method {
     Method {
         origin: Origin::Published,
         ..peer(function, method, label, call, domain, &[])
@@ -393,12 +404,10 @@ fn polygon_methods() -> Vec<Method> {
         let promise = [region(rows::QUAD, Metric::Peak, bound)];
         own(POLYGON, method, label, Call::row(call), &promise)
     };
-    let printed = |method, label, call: fn(QuadRow<f64>) -> f64| {
-        published(POLYGON, method, label, Call::row(call), rows::QUAD)
-    };
-    let sampled = |method, label, call: fn(QuadRow<f64>) -> f64| {
-        peer(POLYGON, method, label, Call::row(call), rows::QUAD, &[])
-    };
+    let printed =
+        |method, label, call: fn(QuadRow<f64>) -> f64| published(POLYGON, method, label, Call::row(call), rows::QUAD);
+    let sampled =
+        |method, label, call: fn(QuadRow<f64>) -> f64| peer(POLYGON, method, label, Call::row(call), rows::QUAD, &[]);
     vec![
         ours(
             "accurate",
@@ -460,7 +469,13 @@ fn polygon_methods() -> Vec<Method> {
 
 fn chord_methods() -> Vec<Method> {
     let ours = |function, label, call: Call, domain, bound| {
-        own(function, "accurate", label, call, &[region(domain, Metric::Peak, bound)])
+        own(
+            function,
+            "accurate",
+            label,
+            call,
+            &[region(domain, Metric::Peak, bound)],
+        )
     };
     vec![
         ours(
@@ -483,6 +498,22 @@ fn chord_methods() -> Vec<Method> {
             Call::rows(slices::sphere_light_chord),
             rows::SPHERE_F32,
             3e-5,
+        ),
+        peer(
+            SPHERE_CHORD,
+            SAMPLES,
+            "64 samples of the cone in f32",
+            Call::row(sphere_light_samples::<64>),
+            rows::SPHERE_F32,
+            &[],
+        ),
+        peer(
+            SPHERE_CHORD,
+            PORTABLE_SAMPLES,
+            "64 samples of the cone in the f32 kernels",
+            Call::row(sphere_light_samples_portable::<64>),
+            rows::SPHERE_F32,
+            &[],
         ),
         ours(
             QUAD_CHORD,
@@ -516,7 +547,15 @@ mod tests {
     fn rows_out_of_the_domain_are_refused_by_column() {
         let sphere = [30.0, 0.5, 2.5, 0.1, 0.2, 0.0, 0.0, 2.0, 1.0];
         assert_eq!(refuse_sphere(&sphere), None);
-        let wrong = [(0, 0.0), (1, -1.0), (2, 0.0), (3, 1.5), (4, f64::INFINITY), (8, 2.0), (8, -1.0)];
+        let wrong = [
+            (0, 0.0),
+            (1, -1.0),
+            (2, 0.0),
+            (3, 1.5),
+            (4, f64::INFINITY),
+            (8, 2.0),
+            (8, -1.0),
+        ];
         for (column, value) in wrong {
             let mut row = sphere;
             row[column] = value;
@@ -536,7 +575,11 @@ mod tests {
                 let open = polygon_value(m.method, m.precision, row).expect(m.method);
                 let registered = m.call.evaluate(row)[0];
                 // In f32 the reference is a vertex for any number of them, the middle for four.
-                let allowed = if m.precision == Precision::F32 { 1e-3 * whole_plane(row) } else { 0.0 };
+                let allowed = if m.precision == Precision::F32 {
+                    1e-3 * whole_plane(row)
+                } else {
+                    0.0
+                };
                 assert!(
                     (open - registered).abs() <= allowed || open.to_bits() == registered.to_bits(),
                     "{}: {open:e} {registered:e} {row:?}",

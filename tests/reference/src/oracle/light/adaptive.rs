@@ -280,13 +280,16 @@ pub fn integrate<L: Light>(light: &L, scratch: &Scratch, rule: &Rule) -> LightVa
 /// The integral of sinc^2 along the line xi1 = 0 times that of the Gaussian: what one chord says of a light.
 pub fn chord<L: Light>(light: &L, scratch: &Scratch) -> f64 {
     let shift = light.anchor() + scratch.view[0];
-    let piece = light.pieces().into_iter().find(|([a, b], _)| (*a..=*b).contains(&-shift));
+    let piece = light
+        .pieces()
+        .into_iter()
+        .find(|([a, b], _)| (*a..=*b).contains(&-shift));
     let wave = scratch.half_wave;
     let integral = piece.map_or(0.0, |(_, known)| {
         let chords = light.chords(&known, -shift);
-        let each = chords.iter().map(|chord| {
-            sinc_squared::integral(wave * (chord.start + scratch.view[1]), wave * chord.length) / wave
-        });
+        let each = chords
+            .iter()
+            .map(|chord| sinc_squared::integral(wave * (chord.start + scratch.view[1]), wave * chord.length) / wave);
         each.sum::<f64>() + 0.0
     });
     std::f64::consts::PI.sqrt() / scratch.beta * integral
