@@ -176,7 +176,7 @@ fn the_closed_chord_with_depth_errs_by_what_gamma_bends_along_it() {
     }
     // Where gamma is constant nothing is approximated: the light as wide as the lobe, no depth but at one angle.
     let (lobe, sphere) = zenith(1e-4, -0.020885);
-        let found = sphere_light_depth_chord(lobe, 0.2, sphere) / chord_by_definition(lobe, 0.2, sphere);
+    let found = sphere_light_depth_chord(lobe, 0.2, sphere) / chord_by_definition(lobe, 0.2, sphere);
     assert!((found - 1.0).abs() < 1e-6, "{found}");
 }
 
@@ -222,10 +222,7 @@ fn the_mean_over_a_channel_is_the_mean_of_its_chords() {
         };
         let due = gauss(|k: f64| sphere_light_chords(at(1.0 / k), sphere, 1), [low, high], 40) / (high - low);
         let found = sphere_light_channel(lobe, ends, sphere);
-        assert!(
-            (found - due).abs() < 1e-12 * lobe.whole_plane(),
-            "{found:e} {due:e}"
-        );
+        assert!((found - due).abs() < 1e-12 * lobe.whole_plane(), "{found:e} {due:e}");
         let [swapped, alone] = [[0.58, 0.48], [0.52, 0.52]].map(|ends| sphere_light_channel(lobe, ends, sphere));
         assert!((swapped - found).abs() < 1e-12 * lobe.whole_plane());
         assert_eq!(alone, sphere_light_chords(at(0.52), sphere, 1));

@@ -30,11 +30,11 @@
 //!
 //! | method | what it is | precision | largest error | promise | time / baseline |
 //! |---|---|---|---|---|---|
-//! | `accurate` | iridescence f64 | f64 | 1.6e-15 of peak | 3e-15 of peak | 1.29 (as_printed) |
+//! | `accurate` | iridescence f64 | f64 | 1.6e-15 of peak | 3e-15 of peak | 1.28 (as_printed) |
 //! | `accurate` | iridescence f32 | f32 | 5.3e-7 of peak | 1e-6 of peak | 1.00 (accurate) |
 //! | `accurate`, slice | iridescence f32 slices | f32 | 5.3e-7 of peak | 1e-6 of peak | 0.05 (accurate, scalar) |
 //! | `as_printed` | VWH18 Eq. 3, depth of WVJH17 Eq. 20 | f64 | 2.2e294 rel. | none | 1.00 (as_printed) |
-//! | `as_printed_near_normal` | VWH18 Eqs. 3 and 4: the depth near normal | f64 | not finite rel. | none | 0.98 (as_printed) |
+//! | `as_printed_near_normal` | VWH18 Eqs. 3 and 4: the depth near normal | f64 | not finite rel. | none | 0.97 (as_printed) |
 //!
 //! <!-- report:end profile_rectangle -->
 //!

@@ -20,7 +20,7 @@ use super::wave::{Derivatives, Wave};
 use crate::geometry::Arc;
 use crate::numeric::exponential::exponential_in_range;
 use crate::numeric::gauss::SIXTEEN_POINTS;
-use crate::numeric::phase::sine_cosine;
+use crate::numeric::phase::{reduce_half_turns, sine_cosine};
 use crate::special::{sinc, sinc_derivative, sinc_squared_integral};
 
 /// What an area light gives, and at what price.
@@ -88,8 +88,46 @@ pub(super) struct Band {
     reference: f64,
     /// Phi from 0 to the reference.
     base: f64,
-    /// No chord of the light has more Phi.
-    largest: f64,
+    /// kappa xi2 at the edges of a box about the light.
+    sides: [f64; 2],
+}
+
+/// The largest bend of x over a step of t on a stretch that counts as straight.
+const STRAIGHT: f64 = 0.03;
+
+/// A part of an arc on which x is monotone: the angles of its ends, and sigma k xi1 there.
+#[derive(Clone, Copy)]
+struct Stretch {
+    arc: Arc,
+    ends: [[f64; 2]; 2],
+    t: [f64; 2],
+}
+
+/// sinc^2 and its derivative.
+struct SincSquared {
+    value: f64,
+    slope: f64,
+}
+
+impl SincSquared {
+    #[inline]
+    fn at(q: f64) -> SincSquared {
+        let size = q.abs();
+        let (lobe, rest) = if (0.5..1e6).contains(&size) {
+            let (r, odd) = reduce_half_turns(size);
+            let (sine, cosine) = sine_cosine(r);
+            let inverse = 1.0 / size;
+            let [sine, cosine] = [sine, cosine].map(|x| f64::from_bits(x.to_bits() ^ odd));
+            let lobe = sine * inverse;
+            (lobe, ((cosine - lobe) * inverse).copysign((cosine - lobe) * q))
+        } else {
+            (sinc(q), sinc_derivative(q))
+        };
+        SincSquared {
+            value: lobe * lobe,
+            slope: 2.0 * lobe * rest,
+        }
+    }
 }
 
 /// A piece of an arc inside the band, x monotone on it.
@@ -203,16 +241,16 @@ impl Band {
             farthest: libm::sqrt(nearest * nearest + reach),
             reference,
             base: sinc_squared_integral([0.0, reference]),
-            largest: sinc_squared_integral(extent[1].map(across)),
+            sides: extent[1].map(across),
         })
     }
 
-    /// A bound on what lies beyond the band: the Gaussian's tail on either side times the largest chord.
+    /// A bound on what lies beyond the band: the Gaussian's tail on either side times a chord across the whole light.
     fn beyond(&self) -> f64 {
+        let largest = sinc_squared_integral(self.sides);
         let t = self.farthest;
         let depth = (t - self.nearest) * (t + self.nearest);
-        2.0 * self.largest * libm::exp(-depth)
-            / (self.scales.along * (t + libm::sqrt(t * t + 4.0 / core::f64::consts::PI)))
+        2.0 * largest * libm::exp(-depth) / (self.scales.along * (t + libm::sqrt(t * t + 4.0 / core::f64::consts::PI)))
     }
 
     /// The factor that the weights leave out, exp(-nearest^2) over k W/2.
@@ -246,24 +284,88 @@ impl Band {
     /// Calls `visit` for each piece of an arc inside the band.
     #[inline]
     fn pieces(&self, arc: &Arc, mut visit: impl FnMut(Piece)) {
-        arc.monotone_pieces(|[from, to]| {
-            let t = |angle: [f64; 2]| self.along(arc.centre[0], arc.reach, angle[0]);
-            let (t_from, t_to) = (t(from), t(to));
-            if t_from.min(t_to) >= self.farthest || t_from.max(t_to) <= -self.farthest {
-                return;
+        self.stretches(arc, |stretch| visit(self.piece(&stretch)));
+    }
+
+    /// Calls `visit` for each stretch of an arc, x monotone on it, that meets the band.
+    #[inline]
+    fn stretches(&self, arc: &Arc, mut visit: impl FnMut(Stretch)) {
+        arc.monotone_pieces(|ends| {
+            let t = ends.map(|angle| self.along(arc.centre[0], arc.reach, angle[0]));
+            if t[0].min(t[1]) < self.farthest && t[0].max(t[1]) > -self.farthest {
+                visit(Stretch { arc: *arc, ends, t });
             }
-            let falling = t_to < t_from;
-            let cut = |angle: [f64; 2], t: f64| {
-                if t.abs() <= self.farthest {
-                    return angle;
-                }
-                let at = self.farthest.copysign(t) / self.scales.along;
-                let cosine = ((at - (arc.centre[0] + self.scales.view[0])) / arc.reach).clamp(-1.0, 1.0);
-                let sine = libm::sqrt((1.0 - cosine) * (1.0 + cosine));
-                [cosine, if falling { sine } else { -sine }]
-            };
-            visit(Piece::new(arc, cut(from, t_from), cut(to, t_to)));
         });
+    }
+
+    /// What of a stretch is inside the band.
+    fn piece(&self, stretch: &Stretch) -> Piece {
+        let Stretch { arc, ends, t } = stretch;
+        let falling = t[1] < t[0];
+        let cut = |angle: [f64; 2], t: f64| {
+            if t.abs() <= self.farthest {
+                return angle;
+            }
+            let at = self.farthest.copysign(t) / self.scales.along;
+            let cosine = ((at - (arc.centre[0] + self.scales.view[0])) / arc.reach).clamp(-1.0, 1.0);
+            let sine = libm::sqrt((1.0 - cosine) * (1.0 + cosine));
+            [cosine, if falling { sine } else { -sine }]
+        };
+        Piece::new(arc, cut(ends[0], t[0]), cut(ends[1], t[1]))
+    }
+
+    /// One node on a stretch that crosses the whole band almost straight; none if it does not.
+    ///
+    /// Its measure is a Gaussian of the angle but for the bend of x: the moments are known, and the error that the bend
+    /// adds to each is counted.
+    #[inline]
+    fn crossing(&self, stretch: &Stretch) -> Option<LightIntegral> {
+        let Stretch { arc, t, .. } = stretch;
+        if t[0] * t[1] >= 0.0 || t[0].abs().min(t[1].abs()) < self.farthest {
+            return None;
+        }
+        let cosine = -(arc.centre[0] + self.scales.view[0]) / arc.reach;
+        let sine_squared = (1.0 - cosine) * (1.0 + cosine);
+        // The angle that t turns by 1, and the bend of x over it.
+        let per_reach = 1.0 / (self.scales.along * arc.reach);
+        if !(per_reach < STRAIGHT * sine_squared) {
+            return None;
+        }
+        let falling = t[1] < t[0];
+        let size = libm::sqrt(sine_squared);
+        let sine = if falling { size } else { -size };
+        let step = per_reach / size;
+        let bend = step * (cosine / sine).abs();
+        let at = [cosine, sine];
+        let [a, b] = arc.across;
+        let kappa = self.scales.across;
+        let q = kappa * ((arc.centre[1] + self.scales.view[1]) + (a * cosine + b * sine));
+        let slope = kappa * (b * at[0] - a * at[1]);
+        let turn = -kappa * (a * at[0] + b * at[1]);
+        let lobe = SincSquared::at(q);
+        let swing = kappa * libm::sqrt(a * a + b * b);
+        let total = self.scales.band();
+        let second = 0.5 * (step * step);
+        let mean = -0.25 * (step * step) * (cosine / sine);
+        let curvature = lobe.slope * (slope * slope) + lobe.value * turn;
+        let value = total * (self.phi(q) + mean * (lobe.value * slope) + 0.5 * second * curvature);
+        let spread = 3.0 * step;
+        let steepest = swing.min(slope.abs() + swing * spread);
+        let wave = Wave {
+            slope: steepest,
+            bend: swing,
+            nearest: (q.abs() - steepest * spread).max(0.0),
+        };
+        let cube = step * step * step;
+        let error = 0.25 * (cube * step) * (0.125 * wave.fourth())
+            + cube * bend * wave.third()
+            + (bend * bend + step * step) * (second * 4.0 * curvature.abs() + step * (lobe.value * slope).abs());
+        let sign = if falling { 1.0 } else { -1.0 };
+        Some(LightIntegral {
+            value: sign * value,
+            error: total * error,
+            chords: 0.5,
+        })
     }
 
     /// How far the Gaussian, and the lobe, vary over a piece: panels of 16 nodes per unit of their sum.
@@ -376,8 +478,8 @@ impl Band {
         let [a, b] = piece.across;
         let slope = self.scales.across * (b * turn[0] - a * turn[1]);
         let bend = -self.scales.across * (a * turn[0] + b * turn[1]);
-        let amplitude = sinc(q);
-        let curvature = 2.0 * amplitude * sinc_derivative(q) * (slope * slope) + (amplitude * amplitude) * bend;
+        let lobe = SincSquared::at(q);
+        let curvature = lobe.slope * (slope * slope) + lobe.value * bend;
         let [second, third, fourth] = measure.central;
         LightIntegral {
             value: measure.total * self.phi(q) + 0.5 * second * curvature,
@@ -404,22 +506,25 @@ impl Band {
 
     /// The integral with an error of at most `tolerance` times its value.
     fn within(&self, tolerance: f64, outline: &impl Fn(&mut dyn FnMut(&Arc))) -> Option<LightIntegral> {
-        let mut kept = [const { None::<(Piece, LightIntegral)> }; MOST_PIECES];
+        let mut kept = [const { None::<(Stretch, LightIntegral)> }; MOST_PIECES];
         let mut count = 0;
         outline(&mut |arc| {
-            self.pieces(arc, |piece| {
+            self.stretches(arc, |stretch| {
                 if count < MOST_PIECES {
-                    kept[count] = Some((piece, self.part(&piece, f64::INFINITY)));
+                    let part = self
+                        .crossing(&stretch)
+                        .unwrap_or_else(|| self.part(&self.piece(&stretch), f64::INFINITY));
+                    kept[count] = Some((stretch, part));
                 }
                 count += 1;
             });
         });
         let kept = kept.get_mut(..count)?;
-        let sum = |kept: &[Option<(Piece, LightIntegral)>]| {
+        let sum = |kept: &[Option<(Stretch, LightIntegral)>]| {
             let parts = kept.iter().flatten();
             parts.fold(LightIntegral::NOTHING, |sum, (_, part)| LightIntegral {
                 value: sum.value + part.value,
-                error: sum.error + (part.error + ROUNDING * part.value.abs()),
+                error: sum.error + part.error,
                 chords: sum.chords + part.chords,
             })
         };
@@ -429,9 +534,9 @@ impl Band {
             if found.error <= allowed {
                 return Some(found);
             }
-            for (piece, part) in kept.iter_mut().flatten() {
+            for (stretch, part) in kept.iter_mut().flatten() {
                 if part.error > share * allowed / count as f64 {
-                    *part = self.part(piece, share * allowed / count as f64);
+                    *part = self.part(&self.piece(stretch), share * allowed / count as f64);
                 }
             }
             found = sum(kept);

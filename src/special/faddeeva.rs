@@ -62,7 +62,7 @@
 //!
 //! | method | what it is | precision | largest error | promise | time / baseline |
 //! |---|---|---|---|---|---|
-//! | `accurate` | iridescence f64 | f64 | 24 eps | 48 eps | 0.28 (errorfunctions) |
+//! | `accurate` | iridescence f64 | f64 | 24 eps | 48 eps | 0.27 (errorfunctions) |
 //!
 //! <!-- report:end faddeeva_w_derivative -->
 //!

@@ -38,11 +38,11 @@ pub fn draw(sizes: &[Size], [cone, gaussian, ours]: [f64; 3]) -> String {
     let worst = sizes.iter().map(|s| s.ours).fold(0.0, f64::max);
     let lines = [
         format!(
-            "Time for a standard error of {:.0} % over the time of the closed form told that tolerance, whose largest error here is {:.2} %; spheres aimed at",
+            "Time for a standard error of {:.0} % over the mean time of the closed form told that tolerance (largest error here {:.2} %), random spheres",
             100.0 * EQUAL_ERROR,
             100.0 * worst
         ),
-        "the band, at least a thousandth of the whole plane's integral. Lines: medians; shaded: quartiles. One core, f64; samples counted from a pilot run.".to_string(),
+        "aimed at the band, of 0.001 of the whole plane's integral or more. Lines: medians; shaded: quartiles. One core, f64; samples from a pilot run.".to_string(),
     ];
     for (i, line) in lines.iter().enumerate() {
         svg.text([24.0, 57.0 + 17.0 * i as f64], line, SMALL, Align::Start);
@@ -67,7 +67,7 @@ pub fn draw(sizes: &[Size], [cone, gaussian, ours]: [f64; 3]) -> String {
         logarithmic: true,
     };
     let y = Axis {
-        values: [0.5 * low, 3.0 * high],
+        values: [0.3 * low, 3.0 * high],
         pixels: [frame.y1, frame.y0],
         logarithmic: true,
     };
@@ -111,7 +111,7 @@ pub fn draw(sizes: &[Size], [cone, gaussian, ours]: [f64; 3]) -> String {
             );
         }
     }
-    svg.text([frame.x0 + 8.0, y.at(1.0) - 6.0], "equal", SMALL, Align::Start);
+    svg.text([frame.x1 - 8.0, y.at(1.0) - 6.0], "equal", SMALL, Align::End);
     svg.finish()
 }
 

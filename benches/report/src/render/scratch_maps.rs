@@ -171,14 +171,14 @@ pub fn light(panels: &[Panel], _: &[Entry]) -> String {
             let whose = match method {
                 "as_printed" => "as printed",
                 "vwh18" => "roots mended",
-                "chord" => "and cone and Si",
+                "chord" => "+ cone, Si",
                 _ => "ours, 10^-3^",
             };
             if window == 0 && method != "within_1e-3" {
                 let share = panels.iter().find(|p| p.number == number).map_or(0.0, |p| p.hopeless);
                 shares.push(format!("{share:.0} % ({whose})"));
             }
-            let place = ["high", "at the horizon"][window];
+            let place = ["high", "low"][window];
             frames.push(Frame {
                 number,
                 lines: [format!("{whose}, {place}"), largest(panels, number, true)],
@@ -200,14 +200,11 @@ pub fn light(panels: &[Panel], _: &[Entry]) -> String {
     let [sigma, lambda, width] = error_map::LIGHT_SCRATCH;
     let cause = [
         format!(
-            "Error as a multiple of the value, or of a thousandth of the whole plane's: \u{3c3} = {sigma} \u{3bc}m, \u{3bb} = {lambda} \u{3bc}m, W = {width} \u{3bc}m; edge < 0: the line lies over the light."
+            "Error over the value, or over 0.001 of the whole plane's; \u{3c3} = {sigma} \u{3bc}m, \u{3bb} = {lambda} \u{3bc}m, W = {width} \u{3bc}m. Edge below 0: the line lies over the light."
         ),
-        "Roots: Eq. 35 takes one root's inverse for the other: first column. Si: the fit of Eq. 29 does not cancel over the chord of a small light; disc for".to_string(),
-        "cone: Eq. 31 is short by up to a third at 60 degrees: second column. Inside the band, tangency: one chord stands for a light whose edge".to_string(),
-        format!(
-            "is within 3 deviations, and 0 for one beside the line: third column, above -3. Off by more than {WORTHLESS} %, high: {}.",
-            shares.join(", ")
-        ),
+        "Roots: Eq. 35 takes an inverse for the second root: first column. Si: the fit of Eq. 29 does not cancel over a small light's chord. Disc".to_string(),
+        "for cone: Eq. 31 is up to a third too narrow: second column. Edge in the band, tangency: one chord stands for all of a light, or for".to_string(),
+        format!("none of it: third column, above -3. High, off by more than {WORTHLESS} %: {}.", shares.join(", ")),
     ];
     digits::draw(
         "Error of a sphere's light: VWH18 3.4.1, and ours",

@@ -126,7 +126,7 @@ fn whole_plane(row: &[f64]) -> f64 {
     PI.sqrt() / (row[0] * k) * (2.0 * PI / (k * row[2]))
 }
 
-const VISIBLE: &str = "the value, at least a thousandth of the whole plane's";
+const VISIBLE: &str = "the value, or of 0.001 of the plane's";
 const PLANE: &str = "the whole plane's integral";
 
 /// Below this share of the whole plane's integral errors are counted as of it.
