@@ -8,11 +8,14 @@ use iridescence::shader;
 use reference::generate::lights;
 use reference::generate::random::Random;
 
-/// Largest error of the f32 forms relative to the value or to a thousandth of the whole plane, and its median.
-const LARGEST: f64 = 5e-3;
+/// Largest error of the f32 forms in some thousand scenes, relative to the value or to a thousandth of the whole plane, and
+/// its median.
+const LARGEST: f64 = 2e-2;
 const MEDIAN: f64 = 3e-5;
-/// The largest error in a million scenes; those far down the Gaussian whose arcs cancel have it.
-const LARGEST_OF_MANY: f64 = 3e-2;
+/// The error that one scene in a thousand has.
+const RARE: f64 = 2e-3;
+/// The largest error in a million scenes: of needles and corners whose long arcs cancel.
+const LARGEST_OF_MANY: f64 = 1e-1;
 /// The same as a share of the whole plane.
 const PLANE: f32 = 3e-5;
 /// Error of a chord that 1 % of the scenes have.
@@ -203,6 +206,7 @@ fn near_the_f64_values(seed: u64, count: usize, most: f64) {
             kind.name, worst.1
         );
         assert!(used > count / 30, "{used} of {count}");
+        assert!(rare <= RARE, "{}: {rare:e}", kind.name);
         assert!(median <= MEDIAN, "{}: {median:e}", kind.name);
         assert!(largest <= most, "{}: {largest:e} {:?}", kind.name, worst.1);
         assert!(seldom <= CHORD, "{}: {seldom:e}", kind.name);

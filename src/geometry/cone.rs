@@ -23,7 +23,7 @@
 //! different quotients.
 
 use super::arc::Arc;
-use super::vector::{dot, largest_exponent, length, scale_by_exponent};
+use super::vector::{largest_exponent, length, scale_by_exponent};
 
 /// The directions within an angle of an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,8 +48,7 @@ impl Cone {
     /// ```
     #[must_use]
     pub fn of_sphere(centre: [f64; 3], radius: f64) -> Option<Cone> {
-        let finite = dot(centre.map(|x| x - x), [1.0; 3]) + (radius - radius) == 0.0;
-        if !finite || radius < 0.0 {
+        if !centre.iter().all(|x| x.is_finite()) || !radius.is_finite() || radius < 0.0 {
             return None;
         }
         let exponent = -largest_exponent(centre);
@@ -128,7 +127,7 @@ pub fn cone_chords(cone: Cone, x: f64) -> [Option<[f64; 2]>; 2] {
     let Cone { axis, sine, cosine } = cone;
     let [cx, cy, cz] = axis;
     let rest = (1.0 - x) * (1.0 + x);
-    if !(rest >= 0.0) {
+    if rest < 0.0 || rest.is_nan() {
         return [None; 2];
     }
     let edge = libm::sqrt(rest);
@@ -138,7 +137,7 @@ pub fn cone_chords(cone: Cone, x: f64) -> [Option<[f64; 2]>; 2] {
     // The condition cy y + cz z >= level on the circle y^2 + z^2 = rest.
     let level = cosine * tilt_squared - p * cx;
     let discriminant = (sine * tilt - p) * (sine * tilt + p);
-    if !(discriminant > 0.0) {
+    if discriminant <= 0.0 || discriminant.is_nan() {
         return [(level < 0.0).then_some([-edge, edge]), None];
     }
     let root = libm::sqrt(discriminant);

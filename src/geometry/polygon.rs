@@ -119,7 +119,7 @@ fn arc(edge: &Edge) -> Option<Arc> {
     let w = near_one(edge.normal);
     let size = length(w);
     let tilt = libm::sqrt(w[1] * w[1] + w[2] * w[2]);
-    if !(tilt > 0.0) {
+    if tilt == 0.0 || tilt.is_nan() {
         return None;
     }
     // The companion of the direction of largest x has no x.

@@ -103,10 +103,10 @@ impl Measure {
         let mut scale = 1.0;
         for order in 0..=MOST_NODES {
             let (mut norm, mut first) = (0.0, 0.0);
-            for i in 0..self.count {
-                let part = self.weight[i].abs() * (now[i] * now[i]);
+            for ((value, weight), at) in now.iter().zip(&self.weight).zip(&self.at).take(self.count) {
+                let part = weight.abs() * (value * value);
                 norm += part;
-                first += part * self.at[i];
+                first += part * at;
             }
             if order >= 2 {
                 let expected = error(order, norm * scale);
@@ -123,10 +123,9 @@ impl Measure {
             if order > 0 {
                 jacobi.beside[order - 1] = libm::sqrt(ratio);
             }
-            for i in 0..self.count {
-                let next = (self.at[i] - centre) * now[i] - ratio * before[i];
-                before[i] = now[i];
-                now[i] = next;
+            for ((value, old), at) in now.iter_mut().zip(&mut before).zip(&self.at).take(self.count) {
+                let next = (at - centre) * *value - ratio * *old;
+                (*old, *value) = (*value, next);
             }
             last_norm = norm;
             scale *= self.half * self.half;

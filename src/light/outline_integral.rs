@@ -328,7 +328,7 @@ impl Band {
         let sine_squared = (1.0 - cosine) * (1.0 + cosine);
         // The angle that t turns by 1, and the bend of x over it.
         let per_reach = 1.0 / (self.scales.along * arc.reach);
-        if !(per_reach < STRAIGHT * sine_squared) {
+        if per_reach >= STRAIGHT * sine_squared || sine_squared.is_nan() {
             return None;
         }
         let falling = t[1] < t[0];
@@ -601,7 +601,7 @@ pub(super) fn within(scales: Scales, tolerance: f64, outline: impl Fn(&mut dyn F
         }
         // Wide enough for a value that is half as large.
         reach += libm::log(beyond / allowed) + 0.7;
-        if !(reach < EXACT_REACH) {
+        if reach >= EXACT_REACH || reach.is_nan() {
             break;
         }
     }

@@ -172,7 +172,7 @@ pub const BINS: usize = 11;
 pub const RADII: [f64; 2] = [0.03, 60.0];
 /// Visible scenes in a bin, samples of a pilot run in each.
 const BIN_SCENES: usize = 160;
-const PILOT: usize = 20_000;
+const PILOT: usize = 8_000;
 
 /// Samples that Monte Carlo needs for the same standard error, in one bin of the light's size.
 #[derive(Clone, Copy, Debug, PartialEq)]
