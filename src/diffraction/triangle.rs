@@ -42,7 +42,7 @@
 //! | `accurate` | iridescence f64 | f64 | 3.9e-16 of peak | 8e-16 of peak | 0.89 (as_printed) |
 //! | `accurate` | the same on profiles at the poles xi2 = +-2 D gamma/W of WVJH17 (29) and within 1e-16..1e-2 of them | f64 | 4.6e-16 of peak | 8e-16 of peak | not timed |
 //! | `accurate` | iridescence f32 | f32 | 2.9e-7 of peak | 6e-7 of peak | 1.00 (accurate) |
-//! | `accurate`, slice | iridescence f32 slices | f32 | 2.9e-7 of peak | 6e-7 of peak | 0.16 (accurate, scalar) |
+//! | `accurate`, slice | iridescence f32 slices | f32 | 2.9e-7 of peak | 6e-7 of peak | 0.15 (accurate, scalar) |
 //! | `as_printed` | WVJH17 Eqs. 29 to 31 | f64 | not finite rel. | none | 1.00 (as_printed) |
 //! | `as_printed` | the same on profiles at the poles xi2 = +-2 D gamma/W of WVJH17 (29) and within 1e-16..1e-2 of them | f64 | not finite rel. | none | not timed |
 //! | `as_printed_mended` | WVJH17 Eqs. 29 to 31 without their two misprints | f64 | not finite rel. | none | 0.92 (as_printed) |

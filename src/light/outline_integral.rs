@@ -524,7 +524,7 @@ impl Band {
             let parts = kept.iter().flatten();
             parts.fold(LightIntegral::NOTHING, |sum, (_, part)| LightIntegral {
                 value: sum.value + part.value,
-                error: sum.error + part.error,
+                error: sum.error + (part.error + ROUNDING * part.value.abs()),
                 chords: sum.chords + part.chords,
             })
         };

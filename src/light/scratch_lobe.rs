@@ -39,12 +39,12 @@ impl ScratchLobe {
             view: self.view,
         };
         let view = self.view[0] * self.view[0] + self.view[1] * self.view[1];
-        // A unit vector may round beyond 1.
+        // A unit vector may round beyond 1, in f32 too.
         let valid = scales.along > 0.0
             && scales.along < f64::INFINITY
             && scales.across > 0.0
             && scales.across < f64::INFINITY
-            && view <= 1.0 + 1e-9
+            && view <= 1.0 + 1e-6
             && wavelength > 0.0;
         valid.then_some(scales)
     }

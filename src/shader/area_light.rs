@@ -197,15 +197,16 @@ pub(super) fn light_band_arc(
     let along = start.c * stop.c + start.s * stop.s;
     let mut sum = 0.0;
     let mut at = start;
-    let mut first = reflex > 0.0;
-    // An arc that ends before it begins, but for rounding, has no length.
-    let mut open = first || turn > 0.0 || along <= 0.0;
+    let all_round = reflex > 0.0;
     let mut falling = start.s > 0.0 || (start.s == 0.0 && start.c > 0.0);
     let stop_falling = stop.s > 0.0 || (stop.s == 0.0 && stop.c < 0.0);
+    // An arc that ends before it begins, but for rounding, has no length: by the angle between, or by t.
+    let back = falling == stop_falling && select(stop.c - start.c, start.c - stop.c, falling) < 0.0;
+    let mut open = all_round || along <= 0.0 || (turn > 0.0 && !back);
+    let mut ends = !all_round && !back;
     for k in 0..3u32 {
         if open && k < 3u32 {
-            let ahead = select(stop.c - at.c, at.c - stop.c, falling) >= 0.0;
-            let last = falling == stop_falling && ahead && !first;
+            let last = falling == stop_falling && ends;
             let corner = LightAngle {
                 c: select(1.0, -1.0, falling),
                 s: 0.0,
@@ -217,7 +218,8 @@ pub(super) fn light_band_arc(
             sum += light_band_piece(band, circle, at, next);
             at = next;
             falling = !falling;
-            first = false;
+            // Behind a turn the end is ahead, whatever its cosine is rounded to.
+            ends = true;
             open = !last;
         }
     }
@@ -417,7 +419,8 @@ pub(super) fn light_outline_closed(outline: LightOutline, band: LightBand) -> f3
 /// Returns the bitangent component of the direction of a point, or of its projection where it is below the horizon.
 #[inline(always)]
 pub(super) fn light_bitangent(p: LightPoint) -> f32 {
-    p.y / sqrt((p.x * p.x + p.y * p.y) + p.z * p.z)
+    let far = sqrt((p.x * p.x + p.y * p.y) + p.z * p.z);
+    select(p.y / far, 0.0, far == 0.0)
 }
 
 /// Returns the integral of exp(-(sigma k xi_t)^2) sinc^2(k W xi_b/2) over the visible part of a triangle, dimensionless

@@ -231,11 +231,12 @@ pub(super) fn light_arc(
     next
 }
 
-/// Returns the point of an edge at the horizon, of any length.
+/// Returns the point of an edge at the horizon: between its ends, and of their size.
 #[inline(always)]
 pub(super) fn light_horizon(start: LightPoint, stop: LightPoint) -> LightPoint {
-    let a = abs(stop.z);
-    let b = abs(start.z);
+    let whole = abs(stop.z) + abs(start.z);
+    let a = abs(stop.z) / whole;
+    let b = abs(start.z) / whole;
     LightPoint {
         x: start.x * a + stop.x * b,
         y: start.y * a + stop.y * b,

@@ -63,7 +63,7 @@ mod tests {
             assert_eq!(cosine_integral_entire(-x), found);
         }
         // DLMF 6.12.3: gamma + ln x - Ci(x), Ci of 10.
-        assert!((cosine_integral_entire(10.0) - 2.925_257_190_900_038_5).abs() < 2e-15);
+        assert!((cosine_integral_entire(10.0) - 2.925_257_190_900_034).abs() < 2e-15);
         assert_eq!(cosine_integral_entire(0.0), 0.0);
         assert!(cosine_integral_entire(f64::NAN).is_nan());
     }

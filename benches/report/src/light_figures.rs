@@ -269,7 +269,7 @@ pub fn write(sizes: &[Size]) -> String {
     text
 }
 
-/// Reads what [`write`] wrote.
+/// Reads what [`write()`] wrote.
 pub fn read(text: &str) -> Result<Vec<Size>, String> {
     let (header, rows) = number_table::read(text)?;
     if header != COLUMNS {

@@ -667,9 +667,9 @@ float exponential(float x_3)
     float e_1 = (EXPONENTIAL_A + (r_3 * (EXPONENTIAL_B + (r_3 * (EXPONENTIAL_C + (r_3 * (EXPONENTIAL_D + (r_3 * EXPONENTIAL_E))))))));
     float value_1 = (1.0 + (r_3 * (1.0 + (r_3 * e_1))));
     float halved_2 = round((n_3 * 0.5));
-    float first_11 = asfloat((asuint((halved_2 + EXPONENT_BIAS)) << 23u));
+    float first_10 = asfloat((asuint((halved_2 + EXPONENT_BIAS)) << 23u));
     float second_3 = asfloat((asuint(((n_3 - halved_2) + EXPONENT_BIAS)) << 23u));
-    return ((value_1 * first_11) * second_3);
+    return ((value_1 * first_10) * second_3);
 }
 
 // Returns Si(x), the integral of sin t / t from 0 to x (radians), to f32 grade.
@@ -926,12 +926,12 @@ float sinc_squared_integral_turns(float width, float first_3, float last_3)
 {
     const ArcEnds _e3 = arc_ends(first_3, last_3);
     float scale = (ARC_PI * width);
-    ArcEnds ends_2 = ConstructArcEnds((scale * _e3.near), (scale * _e3.far), _e3.straddles);
+    ArcEnds ends_3 = ConstructArcEnds((scale * _e3.near), (scale * _e3.far), _e3.straddles);
     const float _e14 = product_fraction(width, _e3.near);
     float near_rest_1 = (ARC_PI * _e14);
     const float _e18 = product_fraction(width, _e3.far);
     float far_rest_1 = (ARC_PI * _e18);
-    const float _e24 = arc_of_phases(ends_2, (scale * (_e3.far - _e3.near)), near_rest_1, far_rest_1);
+    const float _e24 = arc_of_phases(ends_3, (scale * (_e3.far - _e3.near)), near_rest_1, far_rest_1);
     float signed_ = ((last_3 < first_3) ? -(_e24) : _e24);
     return ((first_3 == last_3) ? 0.0 : signed_);
 }
@@ -1991,10 +1991,10 @@ float footprint_pair(FootprintWindow window, float part, float sine_1)
     float lesser = (window.share * part);
     float greater = (window.share * rest_8);
     const float _e23 = halving_square(low_1);
-    float first_12 = (sqrt(((window.near + lesser) * (window.far + greater))) * _e23);
+    float first_11 = (sqrt(((window.near + lesser) * (window.far + greater))) * _e23);
     const float _e31 = halving_square(high_1);
     float second_7 = (sqrt(((window.near + greater) * (window.far + lesser))) * _e31);
-    return (sine_1 * (first_12 + second_7));
+    return (sine_1 * (first_11 + second_7));
 }
 
 // Returns the half width of an ellipse across the tangent; half axes, cosine of the angle from the
@@ -2578,11 +2578,12 @@ LightPoint ConstructLightPoint(float arg0, float arg1, float arg2) {
     return ret;
 }
 
-// Returns the point of an edge at the horizon, of any length.
+// Returns the point of an edge at the horizon: between its ends, and of their size.
 LightPoint light_horizon(LightPoint start_1, LightPoint stop_1)
 {
-    float a_8 = abs(stop_1.z);
-    float b_14 = abs(start_1.z);
+    float whole_3 = (abs(stop_1.z) + abs(start_1.z));
+    float a_8 = (abs(stop_1.z) / whole_3);
+    float b_14 = (abs(start_1.z) / whole_3);
     const LightPoint lightpoint = ConstructLightPoint(((start_1.x * a_8) + (stop_1.x * b_14)), ((start_1.y * a_8) + (stop_1.y * b_14)), 0.0);
     return lightpoint;
 }
@@ -2979,120 +2980,132 @@ float light_band_arc(LightBand band_2, LightCircle circle_2, LightAngle start_4,
 {
     float sum_1 = 0.0;
     LightAngle at = (LightAngle)0;
-    bool first_10 = (bool)0;
     bool local_22 = (bool)0;
     bool local_23 = (bool)0;
-    bool open = (bool)0;
+    bool falling = (bool)0;
     bool local_24 = (bool)0;
     bool local_25 = (bool)0;
-    bool falling = (bool)0;
     bool local_26 = (bool)0;
     bool local_27 = (bool)0;
-    uint k = 0u;
     bool local_28 = (bool)0;
     bool local_29 = (bool)0;
+    bool open = (bool)0;
     bool local_30 = (bool)0;
+    bool ends_2 = (bool)0;
+    uint k = 0u;
+    bool local_31 = (bool)0;
+    bool local_32 = (bool)0;
 
     float turn = ((start_4.c * stop_4.s) - (start_4.s * stop_4.c));
     float along_7 = ((start_4.c * stop_4.c) + (start_4.s * stop_4.s));
     at = start_4;
-    first_10 = (reflex > 0.0);
-    bool _e25 = first_10;
-    if (!(_e25)) {
-        local_22 = (turn > 0.0);
+    bool all_round = (reflex > 0.0);
+    if (!((start_4.s > 0.0))) {
+        if ((start_4.s == 0.0)) {
+            local_23 = (start_4.c > 0.0);
+        } else {
+            local_23 = false;
+        }
+        bool _e39 = local_23;
+        local_22 = _e39;
     } else {
         local_22 = true;
     }
-    bool _e32 = local_22;
-    if (!(_e32)) {
-        local_23 = (along_7 <= 0.0);
-    } else {
-        local_23 = true;
-    }
-    bool _e39 = local_23;
-    open = _e39;
-    if (!((start_4.s > 0.0))) {
-        if ((start_4.s == 0.0)) {
-            local_25 = (start_4.c > 0.0);
+    bool _e41 = local_22;
+    falling = _e41;
+    if (!((stop_4.s > 0.0))) {
+        if ((stop_4.s == 0.0)) {
+            local_25 = (stop_4.c < 0.0);
         } else {
             local_25 = false;
         }
-        bool _e56 = local_25;
-        local_24 = _e56;
+        bool _e58 = local_25;
+        local_24 = _e58;
     } else {
         local_24 = true;
     }
-    bool _e58 = local_24;
-    falling = _e58;
-    if (!((stop_4.s > 0.0))) {
-        if ((stop_4.s == 0.0)) {
-            local_27 = (stop_4.c < 0.0);
-        } else {
-            local_27 = false;
-        }
-        bool _e75 = local_27;
-        local_26 = _e75;
+    bool stop_falling = local_24;
+    bool _e61 = falling;
+    if ((_e61 == stop_falling)) {
+        bool _e71 = falling;
+        local_26 = ((_e71 ? (start_4.c - stop_4.c) : (stop_4.c - start_4.c)) < 0.0);
     } else {
-        local_26 = true;
+        local_26 = false;
     }
-    bool stop_falling = local_26;
+    bool back = local_26;
+    if (!(all_round)) {
+        local_27 = (along_7 <= 0.0);
+    } else {
+        local_27 = true;
+    }
+    bool _e83 = local_27;
+    if (!(_e83)) {
+        if ((turn > 0.0)) {
+            local_29 = !(back);
+        } else {
+            local_29 = false;
+        }
+        bool _e93 = local_29;
+        local_28 = _e93;
+    } else {
+        local_28 = true;
+    }
+    bool _e95 = local_28;
+    open = _e95;
+    if (!(all_round)) {
+        local_30 = !(back);
+    } else {
+        local_30 = false;
+    }
+    bool _e102 = local_30;
+    ends_2 = _e102;
     bool loop_init_2 = true;
     while(true) {
         if (!loop_init_2) {
-            uint _e137 = k;
-            k = (_e137 + 1u);
+            uint _e146 = k;
+            k = (_e146 + 1u);
         }
         loop_init_2 = false;
-        uint _e80 = k;
-        if ((_e80 < 3u)) {
+        uint _e106 = k;
+        if ((_e106 < 3u)) {
         } else {
             break;
         }
         {
-            bool _e83 = open;
-            if (_e83) {
-                uint _e86 = k;
-                local_28 = (_e86 < 3u);
+            bool _e109 = open;
+            if (_e109) {
+                uint _e112 = k;
+                local_31 = (_e112 < 3u);
             } else {
-                local_28 = false;
+                local_31 = false;
             }
-            bool _e90 = local_28;
-            if (_e90) {
-                float _e93 = at.c;
-                float _e96 = at.c;
-                bool _e99 = falling;
-                bool ahead = ((_e99 ? (_e96 - stop_4.c) : (stop_4.c - _e93)) >= 0.0);
-                bool _e103 = falling;
-                if ((_e103 == stop_falling)) {
-                    local_29 = ahead;
-                } else {
-                    local_29 = false;
-                }
-                bool _e108 = local_29;
-                if (_e108) {
-                    bool _e111 = first_10;
-                    local_30 = !(_e111);
-                } else {
-                    local_30 = false;
-                }
-                bool last_9 = local_30;
+            bool _e116 = local_31;
+            if (_e116) {
                 bool _e117 = falling;
-                LightAngle corner = ConstructLightAngle((_e117 ? -1.0 : 1.0), 0.0);
+                if ((_e117 == stop_falling)) {
+                    bool _e121 = ends_2;
+                    local_32 = _e121;
+                } else {
+                    local_32 = false;
+                }
+                bool last_9 = local_32;
+                bool _e126 = falling;
+                LightAngle corner = ConstructLightAngle((_e126 ? -1.0 : 1.0), 0.0);
                 LightAngle next_4 = ConstructLightAngle((last_9 ? stop_4.c : corner.c), (last_9 ? stop_4.s : corner.s));
-                float _e128 = sum_1;
-                LightAngle _e129 = at;
-                const float _e130 = light_band_piece(band_2, circle_2, _e129, next_4);
-                sum_1 = (_e128 + _e130);
+                float _e137 = sum_1;
+                LightAngle _e138 = at;
+                const float _e139 = light_band_piece(band_2, circle_2, _e138, next_4);
+                sum_1 = (_e137 + _e139);
                 at = next_4;
-                bool _e132 = falling;
-                falling = !(_e132);
-                first_10 = false;
+                bool _e141 = falling;
+                falling = !(_e141);
+                ends_2 = true;
                 open = !(last_9);
             }
         }
     }
-    float _e139 = sum_1;
-    return _e139;
+    float _e148 = sum_1;
+    return _e148;
 }
 
 // Returns an angle of this cosine and sine, which share a factor.
@@ -3147,13 +3160,13 @@ float sphere_light(float radius_26, float wavelength_30, float width_19, float v
     float highest = ((sine_7 * level_1) + (cosine_2 * cz_6));
     float lowest = ((cosine_2 * cz_6) - (sine_7 * level_1));
     float root_3 = sqrt(max(-((lowest * highest)), 0.0));
-    bool whole_3 = (lowest >= 0.0);
+    bool whole_4 = (lowest >= 0.0);
     float down = -((cosine_2 * cz_6));
     LightAngle left_2 = ConstructLightAngle(-1.0, 0.0);
     LightAngle right_2 = ConstructLightAngle(1.0, 0.0);
     const LightAngle _e89 = light_turned(flat_n, side_n, down, -(root_3));
     const LightAngle _e90 = light_turned(flat_n, side_n, down, root_3);
-    if (whole_3) {
+    if (whole_4) {
         const float _e93 = light_band_piece(_e66, circle_3, right_2, left_2);
         const float _e94 = light_band_piece(_e66, circle_3, left_2, right_2);
         sum_2 = (_e93 + _e94);
@@ -3200,33 +3213,33 @@ float light_outline_arc(LightBand band_3, LightPoint start_5, LightPoint stop_5)
 LightOutline light_outline_edge(LightOutline outline, LightBand band_4, LightPoint start_6, LightPoint stop_6)
 {
     LightOutline next_3 = (LightOutline)0;
-    bool local_31 = (bool)0;
-    bool local_32 = (bool)0;
     bool local_33 = (bool)0;
+    bool local_34 = (bool)0;
+    bool local_35 = (bool)0;
 
     next_3 = outline;
     const LightPoint _e5 = light_horizon(start_6, stop_6);
     bool up = (start_6.z >= 0.0);
     bool stays = (stop_6.z >= 0.0);
-    LightPoint first_13 = ConstructLightPoint((up ? start_6.x : _e5.x), (up ? start_6.y : _e5.y), (up ? start_6.z : _e5.z));
+    LightPoint first_12 = ConstructLightPoint((up ? start_6.x : _e5.x), (up ? start_6.y : _e5.y), (up ? start_6.z : _e5.z));
     LightPoint last_10 = ConstructLightPoint((stays ? stop_6.x : _e5.x), (stays ? stop_6.y : _e5.y), (stays ? stop_6.z : _e5.z));
     if (!(up)) {
-        local_31 = stays;
+        local_33 = stays;
     } else {
-        local_31 = true;
+        local_33 = true;
     }
-    bool _e36 = local_31;
+    bool _e36 = local_33;
     if (_e36) {
         float _e38 = next_3.sum;
-        const float _e39 = light_outline_arc(band_4, first_13, last_10);
+        const float _e39 = light_outline_arc(band_4, first_12, last_10);
         next_3.sum = (_e38 + _e39);
     }
     if (stays) {
-        local_32 = !(up);
+        local_34 = !(up);
     } else {
-        local_32 = false;
+        local_34 = false;
     }
-    bool _e45 = local_32;
+    bool _e45 = local_34;
     if (_e45) {
         float _e47 = next_3.below;
         if ((_e47 > 0.0)) {
@@ -3241,11 +3254,11 @@ LightOutline light_outline_edge(LightOutline outline, LightBand band_4, LightPoi
         }
     }
     if (up) {
-        local_33 = !(stays);
+        local_35 = !(stays);
     } else {
-        local_33 = false;
+        local_35 = false;
     }
-    bool _e65 = local_33;
+    bool _e65 = local_35;
     if (_e65) {
         next_3.setting = _e5;
         next_3.below = 1.0;
@@ -3277,15 +3290,15 @@ LightOutline light_outline()
 float light_outline_closed(LightOutline outline_1, LightBand band_5)
 {
     float sum_4 = (float)0;
-    bool local_34 = (bool)0;
+    bool local_36 = (bool)0;
 
     sum_4 = outline_1.sum;
     if ((outline_1.below > 0.0)) {
-        local_34 = (outline_1.risen > 0.0);
+        local_36 = (outline_1.risen > 0.0);
     } else {
-        local_34 = false;
+        local_36 = false;
     }
-    bool _e13 = local_34;
+    bool _e13 = local_36;
     if (_e13) {
         float _e14 = sum_4;
         const float _e17 = light_outline_arc(band_5, outline_1.setting, outline_1.rise);
@@ -3299,7 +3312,8 @@ float light_outline_closed(LightOutline outline_1, LightBand band_5)
 // below the horizon.
 float light_bitangent(LightPoint p_1)
 {
-    return (p_1.y / sqrt((((p_1.x * p_1.x) + (p_1.y * p_1.y)) + (p_1.z * p_1.z))));
+    float far_5 = sqrt((((p_1.x * p_1.x) + (p_1.y * p_1.y)) + (p_1.z * p_1.z)));
+    return ((far_5 == 0.0) ? 0.0 : (p_1.y / far_5));
 }
 
 // Returns the integral of exp(-(sigma k xi_t)^2) sinc^2(k W xi_b/2) over the visible part of a

@@ -2465,10 +2465,11 @@ fn light_arc(chords: LightChords, cut: LightLine, start: LightPoint, stop: Light
     return next;
 }
 
-// Returns the point of an edge at the horizon, of any length.
+// Returns the point of an edge at the horizon: between its ends, and of their size.
 fn light_horizon(start: LightPoint, stop: LightPoint) -> LightPoint {
-    let a = abs(stop.z);
-    let b = abs(start.z);
+    let whole = abs(stop.z) + abs(start.z);
+    let a = abs(stop.z) / whole;
+    let b = abs(start.z) / whole;
     return LightPoint(start.x * a + stop.x * b, start.y * a + stop.y * b, 0.0f);
 }
 
@@ -2755,20 +2756,22 @@ fn light_band_arc(band: LightBand, circle: LightCircle, start: LightAngle, stop:
     let along = start.c * stop.c + start.s * stop.s;
     var sum = 0.0f;
     var at = start;
-    var first = reflex > 0.0f;
-    var open = first || turn > 0.0f || along <= 0.0f;
+    let all_round = reflex > 0.0f;
     var falling = start.s > 0.0f || (start.s == 0.0f && start.c > 0.0f);
     let stop_falling = stop.s > 0.0f || (stop.s == 0.0f && stop.c < 0.0f);
+    let back = falling == stop_falling && select(stop.c - start.c, start.c - stop.c, falling) <
+        0.0f;
+    var open = all_round || along <= 0.0f || (turn > 0.0f && !back);
+    var ends = !all_round && !back;
     for (var k: u32 = 0; k < 3u; k++) {
         if open && k < 3u {
-            let ahead = select(stop.c - at.c, at.c - stop.c, falling) >= 0.0f;
-            let last = falling == stop_falling && ahead && !first;
+            let last = falling == stop_falling && ends;
             let corner = LightAngle(select(1.0f, -1.0f, falling), 0.0f);
             let next = LightAngle(select(corner.c, stop.c, last), select(corner.s, stop.s, last));
             sum += light_band_piece(band, circle, at, next);
             at = next;
             falling = !falling;
-            first = false;
+            ends = true;
             open = !last;
         }
     }
@@ -2911,7 +2914,8 @@ fn light_outline_closed(outline: LightOutline, band: LightBand) -> f32 {
 // Returns the bitangent component of the direction of a point, or of its projection where it is
 // below the horizon.
 fn light_bitangent(p: LightPoint) -> f32 {
-    return p.y / sqrt((p.x * p.x + p.y * p.y) + p.z * p.z);
+    let far = sqrt((p.x * p.x + p.y * p.y) + p.z * p.z);
+    return select(p.y / far, 0.0f, far == 0.0f);
 }
 
 // Returns the integral of exp(-(sigma k xi_t)^2) sinc^2(k W xi_b/2) over the visible part of a

@@ -3,8 +3,10 @@
 use super::{ROWS, fraction, logarithmic};
 use std::f64::consts::TAU;
 
-/// Rows of a function of an area light: a thousand operations each.
-const LIGHTS: usize = 2048;
+/// Rows of a chord of an area light, a few hundred operations each.
+const CHORDS: usize = 2048;
+/// Rows of a light over the whole band, ten thousand operations each.
+const LIGHTS: usize = 192;
 
 /// What an argument is, lengths in um.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -171,7 +173,7 @@ fn lights(name: &str) -> Option<Vec<f32>> {
         _ => return None,
     };
     let mut rows = Vec::new();
-    for i in 0..LIGHTS {
+    for i in 0..if kind == name { LIGHTS } else { CHORDS } {
         let between = |stream: u64, low: f64, high: f64| low + (high - low) * fraction(i, stream);
         let (sine, cosine) = between(60, 0.0, TAU).sin_cos();
         let size = between(61, 0.0, 1.0).sqrt();

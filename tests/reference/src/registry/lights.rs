@@ -80,7 +80,7 @@ fn refuse_scratch(row: &[f64]) -> Refusal {
             let unit = |x: f64| x.abs() <= 1.0;
             refuse(row, 3, unit, VIEW).or_else(|| refuse(row, 4, unit, VIEW))
         })
-        .or_else(|| (row[3].hypot(row[4]) > 1.0 + 1e-9).then_some((4, VIEW)))
+        .or_else(|| (row[3].hypot(row[4]) > 1.0 + 4e-7).then_some((4, VIEW)))
 }
 
 fn refuse_sphere(row: &[f64]) -> Refusal {
@@ -413,7 +413,7 @@ fn polygon_methods() -> Vec<Method> {
             "accurate",
             "iridescence f64",
             |row| light::polygon_light(scratch_of(&row), &corners(&row)),
-            1.2e-11,
+            1e-12,
         ),
         ours(
             "within_1e-2",
@@ -527,14 +527,14 @@ fn chord_methods() -> Vec<Method> {
             "iridescence f32",
             Call::row(|row: QuadRow<f32>| quad_f32(shader::quad_light_chord, row)),
             rows::QUAD_CHORD_F32,
-            4e-4,
+            4e-6,
         ),
         ours(
             QUAD_CHORD,
             "iridescence f32 slices",
             Call::rows(slices::quad_light_chord),
             rows::QUAD_CHORD_F32,
-            4e-4,
+            4e-6,
         ),
     ]
 }
