@@ -37,6 +37,7 @@
 //! assert_eq!(sphere_light_chords(lobe, lamp, 1), 0.0);
 //! ```
 
+mod band;
 pub mod chord;
 pub mod depth;
 pub mod form_factor;
