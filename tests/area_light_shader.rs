@@ -14,7 +14,7 @@ const LARGEST: f64 = 2e-2;
 const MEDIAN: f64 = 3e-5;
 /// The error that one scene in a thousand has.
 const RARE: f64 = 2e-3;
-/// The largest error in a million scenes: of needles and corners whose long arcs cancel.
+/// The largest error in a million scenes of each kind: of needles and corners whose long arcs cancel.
 const LARGEST_OF_MANY: f64 = 1e-1;
 /// The same as a share of the whole plane.
 const PLANE: f32 = 3e-5;
@@ -219,9 +219,9 @@ fn f32_lights_are_near_the_f64_ones() {
 }
 
 #[test]
-#[ignore = "4e6 scenes: in release only"]
-fn a_million_f32_lights_of_each_kind_are_near_the_f64_ones() {
-    near_the_f64_values(702, 1_000_000, LARGEST_OF_MANY);
+#[ignore = "1.2e6 scenes: in release only"]
+fn a_million_f32_lights_are_near_the_f64_ones() {
+    near_the_f64_values(702, 300_000, LARGEST_OF_MANY);
 }
 
 #[test]
