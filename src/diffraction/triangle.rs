@@ -39,7 +39,7 @@
 //!
 //! | method | what it is | precision | largest error | promise | time / baseline |
 //! |---|---|---|---|---|---|
-//! | `accurate` | iridescence f64 | f64 | 3.9e-16 of peak | 8e-16 of peak | 0.89 (as_printed) |
+//! | `accurate` | iridescence f64 | f64 | 3.9e-16 of peak | 8e-16 of peak | 0.90 (as_printed) |
 //! | `accurate` | the same on profiles at the poles xi2 = +-2 D gamma/W of WVJH17 (29) and within 1e-16..1e-2 of them | f64 | 4.6e-16 of peak | 8e-16 of peak | not timed |
 //! | `accurate` | iridescence f32 | f32 | 2.9e-7 of peak | 6e-7 of peak | 1.00 (accurate) |
 //! | `accurate`, slice | iridescence f32 slices | f32 | 2.9e-7 of peak | 6e-7 of peak | 0.15 (accurate, scalar) |

@@ -3,7 +3,7 @@
 //! The f32 forms of [`light`](crate::light): the integral of the lobe over a light as an integral along the light's outline,
 //! whose arcs are cut to the band of the Gaussian and summed by panels of 8 Gauss-Legendre nodes. Lights that miss the
 //! line xi_t = 0, end in the band or lie inside it are right like all others; where a light covers the band with room to
-//! spare, the one chord of [`sphere_light_chord`](super::sphere_light_chord) costs a tenth.
+//! spare, the one chord of [`sphere_light_chord`](super::sphere_light_chord) costs far less.
 
 use super::elementary::{TWO_PI, exponential};
 use super::gpu::{abs, ceil, max, min, select, sqrt};

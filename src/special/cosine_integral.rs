@@ -8,7 +8,7 @@
 //! # Methods
 //!
 //! The cells of the sine integral, which hold Cin(x)/x, and its auxiliary functions beyond. For the lights of
-//! [`light`](crate::light): within 4 eps where it was tried, without a promise of its own.
+//! [`light`](crate::light), without a promise of its own: the test below holds its digits.
 
 use super::cells::{auxiliary, cell};
 use super::tables::{CIN, TAIL};

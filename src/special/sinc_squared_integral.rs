@@ -38,9 +38,9 @@
 //! | `medium` | iridescence f32 1e-5 tier | f32 | 3.4e-6 abs. | 5e-6 abs. | 0.77 (vwh18) |
 //! | `coarse` | iridescence f32 4e-4 tier | f32 | 2.9e-4 abs. | 4e-4 abs. | 0.64 (vwh18) |
 //! | `vwh18` | VWH18 Eq. 27 f32 | f32 | 0.10 abs. | 0.103 abs. | 1.00 (vwh18) |
-//! | `accurate`, slice | iridescence f32 slices | f32 | 4.5e-7 abs. | 6e-7 abs. | 1.00 (vwh18) |
-//! | `medium`, slice | iridescence f32 1e-5 slices | f32 | 3.4e-6 abs. | 5e-6 abs. | 0.85 (vwh18) |
-//! | `coarse`, slice | iridescence f32 4e-4 slices | f32 | 2.9e-4 abs. | 4e-4 abs. | 0.67 (vwh18) |
+//! | `accurate`, slice | iridescence f32 slices | f32 | 4.5e-7 abs. | 6e-7 abs. | 1.01 (vwh18) |
+//! | `medium`, slice | iridescence f32 1e-5 slices | f32 | 3.4e-6 abs. | 5e-6 abs. | 0.88 (vwh18) |
+//! | `coarse`, slice | iridescence f32 4e-4 slices | f32 | 2.9e-4 abs. | 4e-4 abs. | 0.68 (vwh18) |
 //! | `vwh18`, slice | VWH18 Eq. 27 f32 slices | f32 | 0.10 abs. | 0.103 abs. | 1.00 (vwh18) |
 //!
 //! <!-- report:end sinc_squared_integral -->

@@ -2,13 +2,13 @@
 
 use reference::generate::random::neighbour_f32;
 use reference::measure::{accuracy, accuracy_on};
-use reference::registry::{Budget, Method, Metric, Origin, Precision, methods};
+use reference::registry::{Budget, Method, Metric, Origin, Precision, function, methods};
 use std::f64::consts::PI;
 
 const POINTS: usize = 60_000;
 
 /// Functions with zeros inside their domain, of which an absolute bound says no sign.
-const CROSSING_ZERO: [&str; 2] = ["sine", "cosine"];
+const CROSSING_ZERO: [&str; 4] = ["sine", "cosine", "sphere_light_chord", "quad_light_chord"];
 
 #[test]
 fn every_method_keeps_its_budget_and_no_budget_is_four_times_too_loose() {
@@ -16,7 +16,9 @@ fn every_method_keeps_its_budget_and_no_budget_is_four_times_too_loose() {
     for m in methods().iter().flat_map(Method::on_each_domain) {
         let Some(budget) = m.budget else { continue };
         let complex = m.call.results() == 2;
-        let a = accuracy(&m, 20180813, if complex { POINTS / 6 } else { POINTS });
+        // Fewer where an oracle takes a quarter of a millisecond.
+        let slow = function(m.function).map_or(1, |f| (f.thinning / 40).max(1));
+        let a = accuracy(&m, 20180813, if complex { POINTS / 6 } else { POINTS / slow });
         let name = format!("{} / {} ({}) on {}", m.function, m.method, m.label, m.domain.name);
         if let Err(reason) = budget.judge(a.maximum(budget.metric)) {
             broken.push(format!("{name}: {reason} at {:?}", a.worst_input));

@@ -33,12 +33,12 @@ pub const QUAD: Generator = Generator {
     rows: |seed, n| fill(seed, n, 17, quad_rows(false), |r, rows| rows.extend(quad(r))),
 };
 
-/// Without fixed rows: some of those have an edge on the line xi1 = 0, where a chord is either of two numbers.
+/// Without the fixed rows of the quadrilaterals: some have an edge on the line xi1 = 0, where a chord is either of two numbers.
 pub const QUAD_CHORD: Generator = Generator {
     name: "quad_light_chord",
     domain: "random quadrilaterals of .03 to 60 degrees, convex or not, at any slant, aimed at the band; scratches as of the spheres",
     columns: 17,
-    rows: |seed, n| fill(seed, n, 17, Vec::new(), |r, rows| rows.extend(quad(r))),
+    rows: |seed, n| fill(seed, n, 17, chord_rows(false), |r, rows| rows.extend(quad(r))),
 };
 
 /// The same at f32 values.
@@ -47,7 +47,7 @@ pub const QUAD_CHORD_F32: Generator = Generator {
     domain: "f32: random quadrilaterals of .03 to 60 degrees, convex or not, at any slant, aimed at the band; scratches as of the spheres",
     columns: 17,
     rows: |seed, n| {
-        fill(seed, n, 17, Vec::new(), |r, rows| {
+        fill(seed, n, 17, chord_rows(true), |r, rows| {
             rows.extend(quad(r).map(single));
         })
     },
@@ -121,6 +121,11 @@ pub fn polygon(random: &mut Random, count: usize) -> Vec<f64> {
 fn quad(random: &mut Random) -> [f64; 17] {
     let row = polygon(random, 4);
     std::array::from_fn(|i| row[i])
+}
+
+/// The recorded ones.
+fn chord_rows(f32_only: bool) -> Vec<f64> {
+    kept(recorded("quad_light_chord", f32_only), f32_only)
 }
 
 /// Spheres overhead, at the horizon, over the whole band, inside it, beside it, tangent to the line.

@@ -3,7 +3,7 @@
 use crate::hexadecimal;
 
 /// Name and text of each file: one header line, then one row of hexadecimal floats a line, `#` comments.
-const FILES: [(&str, usize, &str); 34] = [
+const FILES: [(&str, usize, &str); 36] = [
     (
         "sine_integral",
         1,
@@ -76,6 +76,16 @@ const FILES: [(&str, usize, &str); 34] = [
         "footprint_mean",
         5,
         include_str!("../../../../data/worst/footprint_mean.csv"),
+    ),
+    (
+        "polygon_light",
+        17,
+        include_str!("../../../../data/worst/polygon_light.csv"),
+    ),
+    (
+        "quad_light_chord",
+        17,
+        include_str!("../../../../data/worst/quad_light_chord.csv"),
     ),
     (
         "footprint_mean_reduced",
