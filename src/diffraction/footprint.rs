@@ -43,12 +43,12 @@
 //! | method | what it is | precision | largest error | promise | time / baseline |
 //! |---|---|---|---|---|---|
 //! | `accurate` | iridescence f64 | f64 | 2.3e-13 of peak | 5e-13 of peak | 3.03 (vwh18) |
-//! | `medium` | iridescence f64 1e-6 tier | f64 | 2.8e-7 of peak | 1e-6 of peak | 2.32 (vwh18) |
-//! | `coarse` | iridescence f64 1e-3 tier | f64 | 6.0e-4 of peak | 1e-3 of peak | 1.26 (vwh18) |
+//! | `medium` | iridescence f64 1e-6 tier | f64 | 2.8e-7 of peak | 1e-6 of peak | 2.30 (vwh18) |
+//! | `coarse` | iridescence f64 1e-3 tier | f64 | 6.0e-4 of peak | 1e-3 of peak | 1.32 (vwh18) |
 //! | `accurate` | iridescence f32 | f32 | 7.1e-7 of peak | 2e-6 of peak | 1.00 (accurate) |
 //! | `coarse` | iridescence f32 1e-3 tier | f32 | 6.1e-4 of peak | 1e-3 of peak | 0.44 (accurate) |
 //! | `vwh18` | VWH18 Eq. 16 with its factor pi | f64 | 8.9e3 rel. | none | 1.00 (vwh18) |
-//! | `as_printed` | VWH18 Eq. 16 | f64 | not finite rel. | none | 1.24 (vwh18) |
+//! | `as_printed` | VWH18 Eq. 16 | f64 | not finite rel. | none | 1.23 (vwh18) |
 //!
 //! <!-- report:end footprint_mean -->
 //!
@@ -57,8 +57,8 @@
 //! | method | what it is | precision | largest error | promise | time / baseline |
 //! |---|---|---|---|---|---|
 //! | `accurate` | iridescence f64 | f64 | 2.3e-13 of peak | 5e-13 of peak | 1.00 (accurate) |
-//! | `medium` | iridescence f64 1e-6 tier | f64 | 2.8e-7 of peak | 1e-6 of peak | 0.57 (accurate) |
-//! | `coarse` | iridescence f64 1e-3 tier | f64 | 6.1e-4 of peak | 1e-3 of peak | 0.33 (accurate) |
+//! | `medium` | iridescence f64 1e-6 tier | f64 | 2.8e-7 of peak | 1e-6 of peak | 0.58 (accurate) |
+//! | `coarse` | iridescence f64 1e-3 tier | f64 | 6.1e-4 of peak | 1e-3 of peak | 0.25 (accurate) |
 //!
 //! <!-- report:end footprint_mean_reduced -->
 //!

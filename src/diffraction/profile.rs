@@ -30,7 +30,7 @@
 //!
 //! | method | what it is | precision | largest error | promise | time / baseline |
 //! |---|---|---|---|---|---|
-//! | `accurate` | iridescence f64 | f64 | 1.6e-15 of peak | 3e-15 of peak | 1.28 (as_printed) |
+//! | `accurate` | iridescence f64 | f64 | 1.6e-15 of peak | 3e-15 of peak | 1.27 (as_printed) |
 //! | `accurate` | iridescence f32 | f32 | 5.3e-7 of peak | 1e-6 of peak | 1.00 (accurate) |
 //! | `accurate`, slice | iridescence f32 slices | f32 | 5.3e-7 of peak | 1e-6 of peak | 0.05 (accurate, scalar) |
 //! | `as_printed` | VWH18 Eq. 3, depth of WVJH17 Eq. 20 | f64 | 2.2e294 rel. | none | 1.00 (as_printed) |

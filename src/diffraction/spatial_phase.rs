@@ -36,7 +36,7 @@
 //! |---|---|---|---|---|---|
 //! | `accurate` | iridescence f64 | f64 | 5.3e-16 of peak | 1e-15 of peak | 0.82 (as_printed) |
 //! | `accurate` | iridescence f32 | f32 | 2.7e-6 of peak | 3.5e-6 of peak | 1.00 (accurate) |
-//! | `accurate`, slice | iridescence f32 slices | f32 | 2.7e-6 of peak | 3.5e-6 of peak | 0.13 (accurate, scalar) |
+//! | `accurate`, slice | iridescence f32 slices | f32 | 2.7e-6 of peak | 3.5e-6 of peak | 0.14 (accurate, scalar) |
 //! | `as_printed` | WVJH17 Eqs. 23 and 24, erf of errorfunctions 0.2.0 | f64 | not finite rel. | none | 1.00 (as_printed) |
 //!
 //! <!-- report:end spatial_phase -->

@@ -18,15 +18,15 @@
 //!
 //! | method | what it is | precision | largest error | promise | time / baseline |
 //! |---|---|---|---|---|---|
-//! | `accurate` | iridescence f64 | f64 | 2.7e-11 of peak | 6e-11 of peak | 15.89 (chord) |
-//! | `within_1e-2` | iridescence f64 to 1e-2 | f64 | 2.0e-3 of peak | 7e-3 of peak | 9.78 (chord) |
-//! | `within_1e-3` | iridescence f64 to 1e-3 | f64 | 3.4e-4 of peak | 1e-3 of peak | 10.87 (chord) |
-//! | `within_1e-4` | iridescence f64 to 1e-4 | f64 | 2.5e-5 of peak | 8e-5 of peak | 13.14 (chord) |
+//! | `accurate` | iridescence f64 | f64 | 2.7e-11 of peak | 6e-11 of peak | 15.95 (chord) |
+//! | `within_1e-2` | iridescence f64 to 1e-2 | f64 | 2.0e-3 of peak | 7e-3 of peak | 9.88 (chord) |
+//! | `within_1e-3` | iridescence f64 to 1e-3 | f64 | 3.4e-4 of peak | 1e-3 of peak | 10.92 (chord) |
+//! | `within_1e-4` | iridescence f64 to 1e-4 | f64 | 2.5e-5 of peak | 8e-5 of peak | 13.24 (chord) |
 //! | `accurate` | iridescence f32 | f32 | 0.016 of peak | 0.03 of peak | 1.00 (accurate) |
 //! | `chord` | VWH18, exact chords | f64 | 29 rel. | none | 1.00 (chord) |
 //! | `chords_3` | VWH18, exact chords on three lines | f64 | 20 rel. | none | 2.15 (chord) |
 //! | `vwh18` | VWH18 3.4.2, roots mended | f64 | 2.1e3 rel. | none | 0.80 (chord) |
-//! | `as_printed` | VWH18 3.4.2 | f64 | not finite rel. | none | 0.97 (chord) |
+//! | `as_printed` | VWH18 3.4.2 | f64 | not finite rel. | none | 0.98 (chord) |
 //!
 //! <!-- report:end polygon_light -->
 //!

@@ -33,15 +33,15 @@
 //!
 //! | method | what it is | precision | largest error | promise | time / baseline |
 //! |---|---|---|---|---|---|
-//! | `accurate` | iridescence f64 | f64 | 8.1e-12 of peak | 2.5e-11 of peak | 57.37 (chord) |
-//! | `within_1e-2` | iridescence f64 to 1e-2 | f64 | 5.1e-3 of peak | 0.01 of peak | 31.10 (chord) |
-//! | `within_1e-3` | iridescence f64 to 1e-3 | f64 | 3.7e-4 of peak | 1e-3 of peak | 39.86 (chord) |
-//! | `within_1e-4` | iridescence f64 to 1e-4 | f64 | 3.7e-5 of peak | 1e-4 of peak | 50.05 (chord) |
+//! | `accurate` | iridescence f64 | f64 | 8.1e-12 of peak | 2.5e-11 of peak | 58.89 (chord) |
+//! | `within_1e-2` | iridescence f64 to 1e-2 | f64 | 5.1e-3 of peak | 0.01 of peak | 32.01 (chord) |
+//! | `within_1e-3` | iridescence f64 to 1e-3 | f64 | 3.7e-4 of peak | 1e-3 of peak | 40.90 (chord) |
+//! | `within_1e-4` | iridescence f64 to 1e-4 | f64 | 3.7e-5 of peak | 1e-4 of peak | 51.36 (chord) |
 //! | `accurate` | iridescence f32 | f32 | 1.7e-3 of peak | 4e-3 of peak | 1.00 (accurate) |
 //! | `chord` | VWH18, exact chord | f64 | 29 rel. | none | 1.00 (chord) |
 //! | `chords_3` | VWH18, three exact chords | f64 | 19 rel. | none | 1.64 (chord) |
-//! | `vwh18` | VWH18 3.4.1, roots mended | f64 | 1.4e14 rel. | none | 1.32 (chord) |
-//! | `as_printed` | VWH18 3.4.1 | f64 | not finite rel. | none | 1.06 (chord) |
+//! | `vwh18` | VWH18 3.4.1, roots mended | f64 | 1.4e14 rel. | none | 1.34 (chord) |
+//! | `as_printed` | VWH18 3.4.1 | f64 | not finite rel. | none | 1.08 (chord) |
 //!
 //! <!-- report:end sphere_light -->
 //!

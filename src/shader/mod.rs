@@ -21,22 +21,22 @@
 //!
 //! | function | f64: largest error of the promised | f64: time / best peer | f32: largest error of the promised | f32: time / best peer |
 //! |---|---|---|---|---|
-//! | `sine_integral` | 0.67 of 0.75 ulp | 0.39, slices 0.18 (cephes) | 1.9 of 2 ulp | 0.60, slices 0.055 (galsim) |
-//! | `sinc_squared_integral` | 9.2 of 16 eps | 0.30 (cephes_antiderivative) | 4.5e-7 of 6e-7 abs. | 0.45, slices 0.047 (rounded_antiderivative) |
+//! | `sine_integral` | 0.67 of 0.75 ulp | 0.38, slices 0.19 (cephes) | 1.9 of 2 ulp | 0.58, slices 0.054 (galsim) |
+//! | `sinc_squared_integral` | 9.2 of 16 eps | 0.30 (cephes_antiderivative) | 4.5e-7 of 6e-7 abs. | 0.44, slices 0.047 (rounded_antiderivative) |
 //! | `sinc` | 1.6 of 1.75 ulp | | | |
 //! | `sinc_squared_integral_turns` | | | 5.3e-7 of 6e-7 abs. | |
 //! | `sine` | | | 1.5e-7 of 2e-7 abs. | |
 //! | `cosine` | | | 2.5e-7 of 2.5e-7 abs. | |
 //! | `exponential` | | | 1.2 of 2 ulp | |
-//! | `faddeeva_w` | 1.9 of 2 eps | 0.33, slices 0.082 (libcerf) | 2.5 of 4 eps | 0.25, slices 0.019 (errorfunctions_rounded) |
+//! | `faddeeva_w` | 1.9 of 2 eps | 0.33, slices 0.081 (libcerf) | 2.5 of 4 eps | 0.25, slices 0.019 (errorfunctions_rounded) |
 //! | `erf_complex` | 8.7 of 12 eps | no peer is finite | | |
 //! | `erf_difference_scaled` | 3.9 of 6 eps of peak | 0.75 (errorfunctions_w) | 5.3e-7 of 1.4e-6 of peak | |
-//! | `bessel_i0_scaled` | 0.56 of 1 ulp | 0.21, slices 0.14 (cephes) | 0.94 of 1 ulp | 2.8, slices 0.27 (pxfm) |
-//! | `erf` | 0.50 of 0.501 ulp | 0.41, slices 0.23 (cephes) | | |
+//! | `bessel_i0_scaled` | 0.56 of 1 ulp | 0.22, slices 0.14 (cephes) | 0.94 of 1 ulp | 2.8, slices 0.26 (pxfm) |
+//! | `erf` | 0.50 of 0.501 ulp | 0.43, slices 0.23 (cephes) | | |
 //! | `erfc_complex` | 4.5 of 8 eps | no peer is finite | | |
-//! | `erfcx` | 2.4 of 3 ulp | 4.9 (puruspe) | | |
-//! | `faddeeva_w_derivative` | 24 of 48 eps | 0.30 (libcerf) | | |
-//! | `log_bessel_i0` | 1.7 of 2 ulp | 0.32 (cephes) | 1.9 of 2 ulp | |
+//! | `erfcx` | 2.4 of 3 ulp | 4.8 (puruspe) | | |
+//! | `faddeeva_w_derivative` | 24 of 48 eps | 0.29 (libcerf) | | |
+//! | `log_bessel_i0` | 1.7 of 2 ulp | 0.34 (cephes) | 1.9 of 2 ulp | |
 //! | `bessel_i1_i0_ratio` | 0.62 of 0.75 ulp | 0.086 (cephes) | 1.4 of 2 ulp | |
 //! | `spatial_phase` | 5.3e-16 of 1e-15 of peak | no peer is finite | 2.7e-6 of 3.5e-6 of peak | |
 //! | `profile_rectangle` | 1.6e-15 of 3e-15 of peak | | 5.3e-7 of 1e-6 of peak | |
@@ -57,8 +57,8 @@
 //! | `von_mises_fisher_pdf` | 4.1e-16 of 1e-15 of peak | | | |
 //! | `sphere_light` | 8.1e-12 of 2.5e-11 of peak | 5.5 (importance_16) | 1.7e-3 of 4e-3 of peak | |
 //! | `polygon_light` | 2.7e-11 of 6e-11 of peak | 1.4 (importance_16) | 0.016 of 0.03 of peak | |
-//! | `sphere_light_chord` | 3.4e-15 of 1e-14 of peak | | 8.3e-6 of 3e-5 of peak | 0.049, slices 7.5e-3 (monte_carlo_64) |
-//! | `quad_light_chord` | 4.6e-14 of 1e-13 of peak | | 1.2e-6 of 4e-6 of peak | |
+//! | `sphere_light_chord` | 3.4e-15 of 1e-14 of peak | | 8.3e-6 of 3e-5 of peak | 0.049, slices 7.4e-3 (monte_carlo_64) |
+//! | `quad_light_chord` | 4.6e-14 of 1e-13 of peak | | 1.4e-5 of 4e-5 of peak | |
 //!
 //! <!-- report:end summary -->
 //!

@@ -32,10 +32,10 @@
 //!
 //! | method | what it is | precision | largest error | promise | time / baseline |
 //! |---|---|---|---|---|---|
-//! | `accurate` | iridescence f64 | f64 | 0.56 ulp | 1 ulp | 0.20 (cephes) |
+//! | `accurate` | iridescence f64 | f64 | 0.56 ulp | 1 ulp | 0.22 (cephes) |
 //! | `accurate`, slice | iridescence f64 slices | f64 | 0.56 ulp | 1 ulp | 0.14 (cephes) |
-//! | `accurate` | iridescence f32 | f32 | 0.94 ulp | 1 ulp | 2.81 (pxfm) |
-//! | `accurate`, slice | iridescence f32 slices | f32 | 0.94 ulp | 1 ulp | 0.10 (accurate, scalar) |
+//! | `accurate` | iridescence f32 | f32 | 0.94 ulp | 1 ulp | 2.80 (pxfm) |
+//! | `accurate`, slice | iridescence f32 slices | f32 | 0.94 ulp | 1 ulp | 0.09 (accurate, scalar) |
 //!
 //! <!-- report:end bessel_i0_scaled -->
 //!
@@ -43,7 +43,7 @@
 //!
 //! | method | what it is | precision | largest error | promise | time / baseline |
 //! |---|---|---|---|---|---|
-//! | `accurate` | iridescence f64 | f64 | 1.7 ulp | 2 ulp | 0.32 (cephes) |
+//! | `accurate` | iridescence f64 | f64 | 1.7 ulp | 2 ulp | 0.34 (cephes) |
 //! | `accurate` | iridescence f32 | f32 | 1.9 ulp | 2 ulp | 1.00 (accurate) |
 //!
 //! <!-- report:end log_bessel_i0 -->

@@ -27,9 +27,9 @@
 //!
 //! | method | what it is | precision | largest error | promise | time / baseline |
 //! |---|---|---|---|---|---|
-//! | `accurate` | iridescence f64 | f64 | 0.50 ulp | 0.501 ulp | 0.41 (cephes) |
+//! | `accurate` | iridescence f64 | f64 | 0.50 ulp | 0.501 ulp | 0.43 (cephes) |
 //! | `accurate`, slice | iridescence f64 slices | f64 | 0.50 ulp | 0.501 ulp | 0.23 (cephes) |
-//! | `complex` | iridescence f64, complex erf at z = x | f64 | 4.6 ulp | 8 ulp | 4.21 (cephes) |
+//! | `complex` | iridescence f64, complex erf at z = x | f64 | 4.6 ulp | 8 ulp | 4.33 (cephes) |
 //!
 //! <!-- report:end erf -->
 //!

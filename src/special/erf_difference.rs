@@ -28,11 +28,11 @@
 //!
 //! | method | what it is | precision | largest error | promise | time / baseline |
 //! |---|---|---|---|---|---|
-//! | `accurate` | iridescence f64 | f64 | 8.7e-16 of peak | 6 eps of peak | 0.77 (as_printed) |
+//! | `accurate` | iridescence f64 | f64 | 8.7e-16 of peak | 6 eps of peak | 0.76 (as_printed) |
 //! | `accurate` | the same, by another measure | f64 | 103 eps | 150 eps | not timed |
 //! | `accurate` | the same on finite a1, a2, b: scratches, segments from one ulp, far ends, \|b\| from 1e-300 to 1e308, subnormals, equal and opposite ends | f64 | 8.7e-16 of peak | 6 eps of peak | not timed |
-//! | `accurate` | iridescence f32 | f32 | 5.3e-7 of peak | 1.4e-6 of peak | 0.96 (as_printed) |
-//! | `turns` | iridescence f32, phases given in turns | f32 | 4.7e-7 of peak | 1.4e-6 of peak | 0.90 (as_printed) |
+//! | `accurate` | iridescence f32 | f32 | 5.3e-7 of peak | 1.4e-6 of peak | 0.95 (as_printed) |
+//! | `turns` | iridescence f32, phases given in turns | f32 | 4.7e-7 of peak | 1.4e-6 of peak | 0.89 (as_printed) |
 //! | `accurate`, slice | iridescence f32 slices | f32 | 5.3e-7 of peak | 1.4e-6 of peak | 0.17 (accurate, scalar) |
 //! | `as_printed` | VWH18 Eq. 5, erf of errorfunctions 0.2.0 | f64 | not finite rel. | none | 1.00 (as_printed) |
 //! | `as_printed` | VWH18 Eq. 5 in f32 | f32 | not finite rel. | none | 1.00 (as_printed) |

@@ -44,7 +44,7 @@
 //!
 //! | method | what it is | precision | largest error | promise | time / baseline |
 //! |---|---|---|---|---|---|
-//! | `accurate` | iridescence f64 | f64 | 2.4 ulp | 3 ulp | 1.45 (errorfunctions) |
+//! | `accurate` | iridescence f64 | f64 | 2.4 ulp | 3 ulp | 1.43 (errorfunctions) |
 //!
 //! <!-- report:end erfcx -->
 //!

@@ -33,12 +33,12 @@
 //! | method | what it is | precision | largest error | promise | time / baseline |
 //! |---|---|---|---|---|---|
 //! | `accurate` | iridescence f64 | f64 | 9.2 eps | 16 eps | 0.30 (cephes_antiderivative) |
-//! | `vwh18` | VWH18 Eq. 27 with Eq. 29 | f64 | 0.10 abs. | 0.103 abs. | 0.72 (cephes_antiderivative) |
+//! | `vwh18` | VWH18 Eq. 27 with Eq. 29 | f64 | 0.10 abs. | 0.103 abs. | 0.71 (cephes_antiderivative) |
 //! | `accurate` | iridescence f32 | f32 | 4.5e-7 abs. | 6e-7 abs. | 0.85 (vwh18) |
 //! | `medium` | iridescence f32 1e-5 tier | f32 | 3.4e-6 abs. | 5e-6 abs. | 0.77 (vwh18) |
 //! | `coarse` | iridescence f32 4e-4 tier | f32 | 2.9e-4 abs. | 4e-4 abs. | 0.64 (vwh18) |
 //! | `vwh18` | VWH18 Eq. 27 f32 | f32 | 0.10 abs. | 0.103 abs. | 1.00 (vwh18) |
-//! | `accurate`, slice | iridescence f32 slices | f32 | 4.5e-7 abs. | 6e-7 abs. | 1.01 (vwh18) |
+//! | `accurate`, slice | iridescence f32 slices | f32 | 4.5e-7 abs. | 6e-7 abs. | 1.02 (vwh18) |
 //! | `medium`, slice | iridescence f32 1e-5 slices | f32 | 3.4e-6 abs. | 5e-6 abs. | 0.88 (vwh18) |
 //! | `coarse`, slice | iridescence f32 4e-4 slices | f32 | 2.9e-4 abs. | 4e-4 abs. | 0.68 (vwh18) |
 //! | `vwh18`, slice | VWH18 Eq. 27 f32 slices | f32 | 0.10 abs. | 0.103 abs. | 1.00 (vwh18) |

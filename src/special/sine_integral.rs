@@ -23,16 +23,16 @@
 //!
 //! | method | what it is | precision | largest error | promise | time / baseline |
 //! |---|---|---|---|---|---|
-//! | `accurate` | iridescence f64 | f64 | 0.67 ulp | 0.75 ulp | 0.39 (cephes) |
-//! | `vwh18` | VWH18 Eq. 29 | f64 | 0.051 abs. | 0.051 abs. | 0.99 (cephes) |
-//! | `accurate`, slice | iridescence f64 slices | f64 | 0.67 ulp | 0.75 ulp | 0.18 (cephes) |
+//! | `accurate` | iridescence f64 | f64 | 0.67 ulp | 0.75 ulp | 0.38 (cephes) |
+//! | `vwh18` | VWH18 Eq. 29 | f64 | 0.051 abs. | 0.051 abs. | 0.98 (cephes) |
+//! | `accurate`, slice | iridescence f64 slices | f64 | 0.67 ulp | 0.75 ulp | 0.19 (cephes) |
 //! | `accurate` | iridescence f32 | f32 | 1.9 ulp | 2 ulp | 0.68 (vwh18) |
 //! | `medium` | iridescence f32 1e-5 tier | f32 | 7.0e-6 abs. | 1e-5 abs. | 0.54 (vwh18) |
-//! | `coarse` | iridescence f32 4e-4 tier | f32 | 3.5e-4 abs. | 4e-4 abs. | 0.47 (vwh18) |
+//! | `coarse` | iridescence f32 4e-4 tier | f32 | 3.5e-4 abs. | 4e-4 abs. | 0.48 (vwh18) |
 //! | `vwh18` | VWH18 Eq. 29 f32 | f32 | 0.051 abs. | 0.051 abs. | 1.00 (vwh18) |
 //! | `accurate`, slice | iridescence f32 slices | f32 | 1.9 ulp | 2 ulp | 0.81 (vwh18) |
-//! | `medium`, slice | iridescence f32 1e-5 slices | f32 | 7.0e-6 abs. | 1e-5 abs. | 0.62 (vwh18) |
-//! | `coarse`, slice | iridescence f32 4e-4 slices | f32 | 3.5e-4 abs. | 4e-4 abs. | 0.55 (vwh18) |
+//! | `medium`, slice | iridescence f32 1e-5 slices | f32 | 7.0e-6 abs. | 1e-5 abs. | 0.61 (vwh18) |
+//! | `coarse`, slice | iridescence f32 4e-4 slices | f32 | 3.5e-4 abs. | 4e-4 abs. | 0.54 (vwh18) |
 //! | `vwh18`, slice | VWH18 Eq. 29 f32 slices | f32 | 0.051 abs. | 0.051 abs. | 1.00 (vwh18) |
 //!
 //! <!-- report:end sine_integral -->

@@ -239,7 +239,7 @@ mod tests {
                     .hopeless
             };
             assert!(
-                gone(0) > 50.0 && gone(1) > 30.0 && gone(2) > 10.0,
+                gone(0) > 50.0 && gone(1) > 30.0 && gone(2) > 5.0,
                 "{} {} {}",
                 gone(0),
                 gone(1),

@@ -86,8 +86,8 @@ fn at_least(value: f64, bound: f64, unit: &str) -> (String, bool) {
 /// A figure in two digits; in three where it is missed, lest it read as the one asked.
 fn judged(value: f64, reached: bool, unit: &str) -> (String, bool) {
     let plain = !reached && (0.01..1000.0).contains(&value);
-    let digits = (2 - libm::floor(libm::log10(value)) as i32).max(0) as usize;
     let text = if plain {
+        let digits = (2 - libm::floor(libm::log10(value)) as i32).max(0) as usize;
         format!("{value:.digits$}")
     } else {
         short(value)

@@ -527,14 +527,14 @@ fn chord_methods() -> Vec<Method> {
             "iridescence f32",
             Call::row(|row: QuadRow<f32>| quad_f32(shader::quad_light_chord, row)),
             rows::QUAD_CHORD_F32,
-            4e-6,
+            4e-5,
         ),
         ours(
             QUAD_CHORD,
             "iridescence f32 slices",
             Call::rows(slices::quad_light_chord),
             rows::QUAD_CHORD_F32,
-            4e-6,
+            4e-5,
         ),
     ]
 }
