@@ -18,7 +18,7 @@ fn same(a: &Reference, b: &Reference) -> bool {
 fn the_fast_and_the_slow_oracle_agree_on_every_generator() {
     // Complex points and erf differences are held in `oracles_complex`, scratches in `oracles_scratches` and
     // `oracles_surfaces`.
-    const APART: [&str; 13] = [
+    const APART: [&str; 15] = [
         "complex_",
         "erf_difference_",
         "spatial_phase",
